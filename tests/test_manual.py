@@ -202,6 +202,7 @@ QUICK_CELLS = [
     ("elliptic_indentation", "coated_half_space", "exact"),
     ("roller_contact", "coated_half_space", "exact"),
     ("tangential", "viscoelastic_coated_half_space", "refused"),
+    ("surface_tangential", "viscoelastic_half_space", "approximate"),
 ]
 
 

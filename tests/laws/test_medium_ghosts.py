@@ -230,6 +230,26 @@ def test_a_medium_of_no_class_gives_the_same_numbers_or_the_same_refusal(name, m
         np.testing.assert_allclose(one, other, rtol=1e-12, atol=1e-300)
 
 
+RUBBER = wk.StandardSolid(0.1, 0.2, 1.0, poisson=0.3)
+RELAXING = {
+    "a half-space": wk.ViscoelasticHalfSpace(RUBBER),
+    "two of one course": wk.ViscoelasticHalfSpace(RUBBER, wk.StandardSolid(0.2, 0.4, 1.0)),
+    "two of two courses": wk.ViscoelasticHalfSpace(RUBBER, SOLID),
+    "a coating": wk.RelaxingInProportion(MEDIA["coating"], RUBBER, 0.1),
+    "layers by their own laws": wk.ViscoelasticCoatedHalfSpace([wk.ViscoelasticLayer(RUBBER, 0.2)], on=BASE),
+}
+
+
+@pytest.mark.parametrize("name", RELAXING)
+def test_a_map_on_a_ghost_that_relaxes(name):
+    known, ghost = (outcome("SurfaceTangential", each) for each in (RELAXING[name], ghost_of(RELAXING[name])))
+    assert ghost[0] == known[0]
+    assert len(ghost[1]) == len(known[1])
+    for one, other in zip(ghost[1], known[1], strict=True):
+        np.testing.assert_allclose(one, other, rtol=1e-12, atol=1e-300)
+    assert bool(known[1]) == (name in ("a half-space", "two of one course", "a coating"))
+
+
 BONDED = wk.StackedHalfSpace([wk.StackLayer(SOLID, 0.2)], BASE, wk.Elastic(5.0, 0.2))
 QUICK_ON_STACK = ("FrictionDamping", "Tangential", "Indentation")
 SLOW_ON_STACK = ("AdhesiveShear", "FrettingWear", "Rolling", "SlidingWear", "Torsion")

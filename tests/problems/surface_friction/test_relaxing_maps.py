@@ -130,6 +130,27 @@ def test_a_ball_as_springs_that_relax(springs):
     assert np.all(coarse[1:] > 1.7 * fine[1:])
 
 
+def creeping(steps: int) -> wk.Path:
+    """Return a path under forces, which the bodies creep under while they are pushed to and fro."""
+    time, most = np.linspace(0.0, 3.0, 3 * steps + 1), 1e-4
+    normal = most * np.interp(time, [0.0, 1.0, 2.0, 3.0], [0.3, 1.0, 1.0, 0.4])
+    return wk.Path(time, wk.Force(normal), wk.ShearForce(0.36 * MU * most * np.sin(3.0 * time)))
+
+
+@pytest.mark.slow
+def test_a_ball_that_creeps_under_forces_as_springs():
+    springs = wk.Tangential(wk.Foundation(BALL, PAIR), wk.Coulomb(MU), creeping(40), count=1000).solve()
+    errors = []
+    for steps in (10, 40):
+        found = wk.SurfaceTangential(map_of(65), PAIR, wk.Coulomb(MU), creeping(steps)).solve()
+        every = slice(None, None, 40 // steps)
+        assert np.max(np.abs(found.depth - springs.depth[every])) < 3e-4 * springs.depth.max()
+        errors.append(np.max(np.abs(found.shift[:, 0] - springs.shift[every])) / np.max(np.abs(springs.shift)))
+    assert found.friction_loss[-1] == pytest.approx(springs.friction_loss[-1], rel=0.02)
+    assert errors[0] > 3.0 * errors[1]
+    assert errors[1] < 2e-3
+
+
 @pytest.mark.slow
 def test_finer_pixels_press_nearer_to_the_springs(springs):
     errors = [apart(springs, 40, pixels)[0] for pixels in (17, 33, 97)]
