@@ -237,6 +237,11 @@ def test_a_sweep_stays_where_its_keys_do(entered):
     entered.choose("problem", "adhesive_indentation")
     assert entered.table["sweep"] == ranges
     assert "Left out" not in entered.carried_remark
+    entered.choose("problem", "constriction")  # whose load is that of its contact
+    assert entered.table["sweep"] == {"problem.contact.load.force": ranges["problem.load.force"]}
+    assert "Left out" not in entered.carried_remark
+    entered.choose("problem", "indentation")
+    assert entered.table["sweep"] == ranges
     entered.choose("problem", "line_indentation")
     assert "sweep" not in entered.table
     assert entered.carried_remark.endswith("Left out: [sweep].")

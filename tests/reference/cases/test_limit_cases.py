@@ -41,7 +41,7 @@ def jkr_slow_peeling(problem: dict) -> dict:
 
 def fretting_heat_rate(problem: dict) -> dict:
     """Mindlin and Deresiewicz, many times a second; equal bodies share the heat evenly."""
-    motion = problem["motion"]
+    motion = problem["contact"]
     start, swing = motion["path"]["steps"]
     ball, force = Ball(motion), number(start["normal"]["force"])
     loss = ball.loss(force, number(swing["lateral"]["shear_force"]) / (ball.friction * force))

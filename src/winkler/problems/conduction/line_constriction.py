@@ -12,7 +12,6 @@ current, from that of a strip of one voltage towards an even one, which costs at
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from typing import ClassVar
 
@@ -177,8 +176,8 @@ class LineConstrictionSolution(PerLoad[Q]):
         InvalidInput
             If there is no such load.
         """
-        one: LineConstriction[float] = dataclasses.replace(self.problem, contact=self.contact.at(index).problem)
-        return one.solve()
+        given, contact = self.problem, self.contact.at(index).problem
+        return LineConstriction(contact, given.conductors, given.first_depth, given.second_depth).solve()
 
     @property
     def validity(self) -> tuple[Note, ...]:

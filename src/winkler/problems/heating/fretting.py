@@ -58,8 +58,8 @@ class FrettingHeat(RubbingBodies):
 
     Parameters
     ----------
-    motion : Tangential
-        The problem of the motion; its path ends with a closed cycle, which is then repeated for ever.  Two cycles of an
+    contact : Tangential
+        How it is pushed; its path ends with a closed cycle, which is then repeated for ever.  Two cycles of an
         oscillation, `Path.oscillation(cycles=2, ...)`, are enough: the first one differs.
     frequency : float
         How often the cycle is repeated [Hz]; the times of the path do not matter.
@@ -69,7 +69,7 @@ class FrettingHeat(RubbingBodies):
     Raises
     ------
     InvalidInput
-        If the motion is no Tangential, the frequency not positive, or a body does not conduct heat.
+        If the contact is no Tangential, the frequency not positive, or a body does not conduct heat.
 
     References
     ----------
@@ -87,13 +87,15 @@ class FrettingHeat(RubbingBodies):
     >>> from winkler.profiles.power import Paraboloid
     >>> elastic, steel = Elastic(210e9, 0.3), ThermalConductor(45.0, 12e-6)
     >>> bed = Foundation(Paraboloid(10e-3), HalfSpace.between(elastic, elastic))
-    >>> motion = Tangential(bed, Coulomb(0.5), Path.oscillation(force=100.0, amplitude=1e-6, cycles=2))
-    >>> warm = FrettingHeat(motion, 100.0, HeatConductors(steel, steel)).solve()
+    >>> pushed = Tangential(bed, Coulomb(0.5), Path.oscillation(force=100.0, amplitude=1e-6, cycles=2))
+    >>> warm = FrettingHeat(pushed, 100.0, HeatConductors(steel, steel)).solve()
     >>> round(warm.heat_rate / (100.0 * warm.loss_per_cycle), 12), warm.max_temperature < 1.0
     (1.0, True)
     """
 
-    motion: Tangential
+    __words__ = words(contact=("", None, "contact that is pushed to and fro"))
+
+    contact: Tangential
     frequency: Positive
     conductors: HeatConductors
 
@@ -102,7 +104,7 @@ class FrettingHeat(RubbingBodies):
     needs_round: ClassVar[str] = "the heat of friction, which follows pressure and slip from place to place,"
 
     def __post_init__(self) -> None:
-        if self.motion.relaxes:
+        if self.contact.relaxes:
             raise OutsideValidity(
                 "FrettingHeat: the bodies of the motion relax and are heated inside, too; only the heat of friction is "
                 "known: give elastic bodies."
@@ -124,7 +126,7 @@ class FrettingHeat(RubbingBodies):
             If nothing slips, or a ring that is too narrow, or the traction is not known in this medium; else as
             `Tangential`.
         """
-        march = self.motion.solve()
+        march = self.contact.solve()
         begin = _begin(march)
         loss = float(march.dissipation[-1] - march.dissipation[begin])
         if loss <= 0.0:

@@ -288,4 +288,4 @@ def _interface(bed: LayeredLineFoundation, strip: Strip, depth: float, friction:
         return np.abs(fields.xz_stress)
 
     found = highest(shear, [_both_sides(x, friction == 0.0)])
-    return found.value, *found.place
+    return found.value, found.place[0]

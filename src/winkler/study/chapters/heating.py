@@ -99,7 +99,7 @@ def transient_formulas(problem: Any) -> tuple[Equation, ...]:
 
 def fretting_formulas(problem: Any) -> tuple[Equation, ...]:
     """Return the formulas of a periodic motion, and of its heat."""
-    return (*tangential_formulas(problem.motion), CYCLE, COMMON_SURFACE)
+    return (*tangential_formulas(problem.contact), CYCLE, COMMON_SURFACE)
 
 
 HEATING = Chapter(
@@ -223,7 +223,7 @@ HEATING = Chapter(
             de="reibschweissen fretting temperatur schwingend erwärmung ultraschallschweissen hin und her",
             fr="échauffement par vibration fretting soudage par friction ultrasons va-et-vient",
             headline=("max_temperature", "mean_temperature", "heat_rate", "loss_per_cycle"),
-            motion={"kind": "tangential", "law": COULOMB, "path": {"kind": "program", "steps": TWO_CYCLES}},
+            contact={"kind": "tangential", "law": COULOMB, "path": {"kind": "program", "steps": TWO_CYCLES}},
             frequency="100 Hz",
             conductors=STEELS,
             picture=Caption(

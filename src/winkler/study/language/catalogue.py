@@ -86,6 +86,7 @@ FORMER_PARTS: dict[str, tuple[str, str, tuple[str, ...]]] = {
     "thermal_constriction": ("contact", "indentation", ("bed", "load")),
     "joule_heating": ("contact", "indentation", ("bed", "load")),
     "line_constriction": ("contact", "line_indentation", ("bed", "load")),
+    "fretting_heat": ("contact", "", ("motion",)),
     "surface_rolling_heating": ("contact", "", ("rolling",)),
     "surface_friction_heating": ("contact", "", ("load", "rolling")),
 }

@@ -135,7 +135,6 @@ RUBBING: dict[str, Word] = {
     "warmest": Word("", None, "the warmest place, and how warm it is"),
     "source": Word("", None, "the heat of friction as a line load"),
     "flux": Word("q", "W/m^2", "heat per area and time"),
-    "motion": Word("", None, "the motion that is repeated"),
     "march": Word("", None, "the answer along the path"),
     "misfit": Word("", "", "relative difference of two methods for the same number"),
     "swing": Word(r"\Delta T", "K", "how far the temperature swings about its mean, estimated"),

@@ -68,6 +68,8 @@ class CarriedStudy(NamedTuple):
         Names and contents of those of them that come with the new problem.
     came
         Paths of what came with this problem, or with one before it, and nobody has given.
+    places
+        Path of what was taken -> where it stands now.
     """
 
     table: dict[str, Any]
@@ -77,6 +79,14 @@ class CarriedStudy(NamedTuple):
     assumed: dict[str, Any]
     new: tuple[str, ...]
     came: frozenset[str]
+    places: dict[str, str]
+
+    def moved(self, key: str) -> str:
+        """Return where what stood at a key stands now; the same key if it was not taken."""
+        place = key
+        while place and place not in self.places:
+            place = place.rpartition(".")[0]
+        return self.places[place] + key[len(place) :] if place else key
 
     @property
     def sentence(self) -> str:
@@ -188,7 +198,7 @@ def carried(
             left[key] = transfer.with_given(left[key], at) if is_stand_in else transfer.put_aside(at)
     names = tuple(dict.fromkeys(name for _, name in given))
     still, fresh, with_it = transfer.not_given()
-    return CarriedStudy(table, tuple(dict.fromkeys(transfer.kept)), names, left, still, fresh, with_it)
+    return CarriedStudy(table, tuple(dict.fromkeys(transfer.kept)), names, left, still, fresh, with_it, transfer.went)
 
 
 def is_sound(table: dict[str, Any], folder: Path) -> bool:
@@ -269,9 +279,14 @@ class _Transfer:
             else:
                 yield child.path, _said(child.path, content)
 
+    @property
+    def went(self) -> dict[str, str]:
+        """Path of what was taken from the study before -> where it stands now."""
+        return {source: place for place, source in self.sources.items() if isinstance(source, str)}
+
     def _is_replaced(self, part: FormPart) -> bool:
         """Return whether a number of a part went into a part of another kind."""
-        went = {source: place for place, source in self.sources.items() if isinstance(source, str)}
+        went = self.went
         places = [went[one.path] for one in part.children if isinstance(one, FormEntry) and one.path in went]
         return any(form.at(self.new, place.rpartition(".")[0]).get("kind") != part.kind for place in places)
 

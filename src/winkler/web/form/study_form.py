@@ -144,6 +144,8 @@ class StudyForm:
         usual = self._example(str(before["problem"]["kind"]))["title"]
         if before.get("title", usual) != usual:  # one's own
             self.table["title"] = before["title"]
+        if "sweep" in before:
+            before = before | {"sweep": {carry.moved(key): one for key, one in before["sweep"].items()}}
         sections = [name for name in before if name not in ("title", "problem", "fit")]
         lost = [name for name in sections if not self._keep_section(name, before)]
         self.carried_remark = f"{sentence} Left out: [{'], ['.join(lost)}].".strip() if lost else sentence
