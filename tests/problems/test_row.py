@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.problems.row import MOST_HALVINGS, Reached, follow, over
+from winkler.problems.row import MOST_HALVINGS, MOST_STEPS, Reached, follow, over
 
 MEDIUM = wk.HalfSpace(wk.Elastic(2.0, 0.3))
 BED = wk.Foundation(wk.Paraboloid(1.0), MEDIUM)
@@ -184,3 +184,13 @@ def test_a_step_that_never_settles_is_refused():
         reached.extend(follow(row, [0.0, 1.0]))
     assert len(reached) == 1
     assert row.taken <= 3 * MOST_HALVINGS + 3
+
+
+def test_a_path_that_settles_in_too_many_steps_alone_is_refused():
+    """Halves whose error falls as slowly as their length would be walked for ever."""
+    row, reached = CurvedRow(allowed=1e-9), []
+    row.apart = lambda one, two: over(abs(one.lost - two.lost) ** 0.5, row.allowed)
+    with pytest.raises(wk.NotConverged, match="^Curve: at index 1 of the path the step does not settle"):
+        reached.extend(follow(row, [0.0, 1.0]))
+    assert len(reached) == 1
+    assert MOST_STEPS < row.taken < 4 * MOST_STEPS

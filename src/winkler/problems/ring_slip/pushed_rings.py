@@ -31,11 +31,6 @@ class PushedRings:
         """Stiffness without slip [N/m]."""
         return self._modulus * self._springs.inertia
 
-    @property
-    def reach(self) -> float:
-        """The shift from which every ring slides [m]."""
-        return self._springs.most / self._modulus
-
     def stick_radius(self, moved: float) -> float:
         """Return the radius of the part that sticks [m] at an amplitude of the shift [m]; zero if all slides."""
         return float(self._springs.curve(np.array([self._modulus * moved])).front[0])

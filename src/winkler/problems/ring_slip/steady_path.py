@@ -141,8 +141,6 @@ class FreshSprings(Plays):
         super().__init__(press.radius, beyond[:, 0], np.maximum.accumulate(limit.ravel()[::-1]))
         self.inertia = 2.0 * float(self.whole[0])
         """As `TwistBound.inertia` of the whole contact."""
-        self.most = float(self._nodes[-1])
-        """The amplitude [Pa] from which all slides, of bounds that do not grow without limit."""
 
     def tails(self, front: Array) -> Array:
         """Return as `Plays.tails`."""

@@ -25,7 +25,7 @@ from winkler.problems.last_cycle import loss_factor
 from winkler.problems.rough.compliance import compliance_of
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.rough.surface_states import SurfaceState
-from winkler.problems.surface_friction.joint_loops import loops_of_elements, loops_of_stiffness
+from winkler.problems.surface_friction.joint_loops import loop_difference, loops_of_elements, loops_of_stiffness
 from winkler.problems.surface_friction.joint_states import JointState, disc_ratio, joint_state
 from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
 from winkler.profiles.rough.topography import Topography
@@ -290,12 +290,12 @@ class JointStiffnessSolution(PerLoad[Q]):
     @property
     def shift_error(self) -> float:
         """Greatest difference of a shift by springs from boundary elements, over the greatest shift [-]."""
-        return _difference(self.shift_amplitude, self.spring_shift)
+        return loop_difference(self.shift_amplitude, self.spring_shift)
 
     @property
     def loss_error(self) -> float:
         """Greatest difference of a loss by springs from boundary elements, over the greatest loss [-]."""
-        return _difference(self.loss_per_cycle, self.spring_loss)
+        return loop_difference(self.loss_per_cycle, self.spring_loss)
 
     @property
     def validity(self) -> tuple[Note, ...]:
@@ -324,10 +324,6 @@ class JointStiffnessSolution(PerLoad[Q]):
             ),
             *self.loop.validity,
         )
-
-
-def _difference(elements: Array, springs: Array) -> float:
-    return float(np.max(np.abs(springs - elements)) / np.max(np.abs(elements)))
 
 
 def _per_cent(error: float) -> str:

@@ -22,7 +22,7 @@ from winkler.numerics.types import Array
 from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["JointLoops", "loops_of_elements", "loops_of_stiffness"]
+__all__ = ["JointLoops", "loop_difference", "loops_of_elements", "loops_of_stiffness"]
 
 NODES = 16
 STEPS_OF_LOOP = 3
@@ -88,3 +88,8 @@ def loops_of_elements(
     first, last = found.shift_x[2::STEPS_OF_LOOP], found.shift_x[3::STEPS_OF_LOOP]
     loss = found.dissipation[3::STEPS_OF_LOOP] - found.dissipation[1::STEPS_OF_LOOP]
     return JointLoops(0.5 * (last - first), loss), found
+
+
+def loop_difference(elements: Array, springs: Array) -> float:
+    """Return the greatest difference of springs from boundary elements, over the greatest number of these [-]."""
+    return float(np.max(np.abs(springs - elements)) / np.max(np.abs(elements)))

@@ -29,6 +29,7 @@ from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.friction.tangential import Tangential, TangentialSolution
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.rough.reduce import Reduction, ReductionSolution
+from winkler.problems.surface_friction.joint_loops import loop_difference
 from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
 from winkler.profiles.rough.topography import Topography
 from winkler.values.checks.number_checks import Advice, Positive, between
@@ -230,7 +231,7 @@ class ReducedFrictionSolution:
     def shift_error(self) -> float:
         """Greatest difference of a shift over the greatest shift [-], and a tenth, and the misfit of forces."""
         pairs = zip(self.shift.T, self.spring_shift.T, strict=True)
-        return BETWEEN * max(_difference(elements, springs) for elements, springs in pairs) + self.reduction.misfit
+        return BETWEEN * max(loop_difference(elements, springs) for elements, springs in pairs) + self.reduction.misfit
 
     @property
     def loss_error(self) -> float:
@@ -239,15 +240,10 @@ class ReducedFrictionSolution:
         Losses of partial slip grow with the third power of the shear force.
         """
         loops = (self.along, self.springs_along), (self.across, self.springs_across)
-        missed = max(_difference(elements.dissipation, springs.dissipation) for elements, springs in loops)
+        missed = max(loop_difference(elements.dissipation, springs.dissipation) for elements, springs in loops)
         return BETWEEN * missed + LOSS_POWER * self.reduction.misfit
 
     @property
     def validity(self) -> tuple[Note, ...]:
         """How well the springs bear the forces, how far they are off under friction, and what the elements leave."""
         return (self.reduction.validity[0], *direction_notes(self.bed), *self.along.validity)
-
-
-def _difference(elements: Array, springs: Array) -> float:
-    """Return the greatest difference over the greatest number."""
-    return float(np.max(np.abs(springs - elements)) / np.max(np.abs(elements)))
