@@ -1,13 +1,15 @@
-"""What layers add to strips of many half-widths: solved one by one and kept, or read from polynomials over octaves."""
+"""What layers add to strips of many half-widths: solved one by one and kept, or read from polynomials over octaves.
+
+A bed is a `winkler.foundation.layered_line.LayeredLineFoundation`.
+"""
 
 from __future__ import annotations
 
 import functools
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
-from winkler.foundation.line_bed import LineBed
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.transforms.cosine_transform import has_tail, in_own_lengths
 from winkler.numerics.transforms.strips.strip_equation import StripResponse
@@ -24,28 +26,12 @@ MANY, FEWEST, MOST_FITTED, FITTED = 64, 8, 4, 1e-12
 """Half-widths, of all and in an octave, up to which each is solved by itself; polynomials in an octave, their error."""
 
 
-class StripsOnLayers(Protocol):
-    """A bed of strips whose layers can be asked."""
-
-    medium: Any
-    half_plane: LineBed
-    layered_body: Any
-    alike: tuple[object, ...]
-    kinks: tuple[tuple[float, float], ...]
-    reach: float
-    rim: float
-
-    def solved(self, half_width: Array) -> StripResponse:
-        """Return what the layers add under strips [m]."""
-        ...
-
-
 def edge_fall(modes: Array, half_width: Array) -> Array:
     """Return how steeply loads of modes ``(a, n)`` fall at the edges of strips, over a flat punch of one [1/m]."""
     return np.asarray(2.0 / half_width * (modes @ np.arange(modes.shape[1]) ** 2))
 
 
-def added_sums(bed: StripsOnLayers, half_width: Array) -> Array:
+def added_sums(bed: Any, half_width: Array) -> Array:
     """Return what the layers add to the load over E* [m], how steeply that ends [-], and the edges of flat punches.
 
     Of more than a few half-widths they are read from polynomials over octaves of half-widths, ``(3, m)``.
@@ -68,7 +54,7 @@ def added_sums(bed: StripsOnLayers, half_width: Array) -> Array:
     return found
 
 
-def _direct(bed: StripsOnLayers, half_width: Array) -> Array:
+def _direct(bed: Any, half_width: Array) -> Array:
     found = added_responses(bed, half_width)
     return np.array([found.closing[:, 0], edge_fall(found.closing, half_width), np.sum(found.punch, axis=1)])
 
@@ -79,7 +65,7 @@ def _octaves(alike: tuple[object, ...]) -> dict[int, tuple[float, tuple[Panels, 
     return {}
 
 
-def _octave(bed: StripsOnLayers, octave: int) -> tuple[float, tuple[Panels, ...]] | None:
+def _octave(bed: Any, octave: int) -> tuple[float, tuple[Panels, ...]] | None:
     """Return up to which half-width over the shortest length polynomials hold, and those of `added_sums`.
 
     They are over ln a, the first of the load over w(a), the second over w(a)/a.  None where more of them would be
@@ -115,7 +101,7 @@ def _kept(alike: tuple[object, ...]) -> dict[float, tuple[Array, Array]]:
     return {}
 
 
-def added_responses(bed: StripsOnLayers, half_width: Array) -> StripResponse:
+def added_responses(bed: Any, half_width: Array) -> StripResponse:
     """Return what the layers add under strips of these half-widths; those solved before are kept."""
     response, top = bed.medium.response, bed.layered_body.unit[1]
     kept, unit = _kept(bed.alike), in_own_lengths(response)[1]
