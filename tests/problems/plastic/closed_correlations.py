@@ -56,9 +56,10 @@ def jackson_green(w, stiffness, poisson, strength):
 def ghaednia(w, stiffness, poisson, strength, share):
     """Load and area of a ball that hardens by a tangent modulus of this share of Young's.
 
-    H. Ghaednia, M. R. W. Brake, M. Berryhill, R. L. Jackson, J. Tribol. (2019), "Strain hardening from elastic-perfectly
-    plastic to perfectly elastic flattening single asperity contact", as the laboratory of one of the authors computes it
-    in public, with the exponent that it states to be misprinted there.  Without hardening it is Jackson and Green's.
+    H. Ghaednia, M. R. W. Brake, M. Berryhill, R. L. Jackson, J. Tribol. (2019), "Strain hardening from
+    elastic-perfectly plastic to perfectly elastic flattening single asperity contact", as the laboratory of one of the
+    authors computes it in public, with the exponent that it states to be misprinted there.  Without hardening it is
+    Jackson and Green's.
     """
     load, area = jackson_green(w, stiffness, poisson, strength)
     young = stiffness * (1.0 - poisson**2)
