@@ -53,6 +53,23 @@ def jackson_green(w, stiffness, poisson, strength):
     return load, area
 
 
+def ghaednia(w, stiffness, poisson, strength, share):
+    """Load and area of a ball that hardens by a tangent modulus of this share of Young's.
+
+    H. Ghaednia, M. R. W. Brake, M. Berryhill, R. L. Jackson, J. Tribol. (2019), "Strain hardening from
+    elastic-perfectly plastic to perfectly elastic flattening single asperity contact", as the laboratory of one of the
+    authors computes it in public, with the exponent that it states to be misprinted there.  Without hardening it is
+    Jackson and Green's.
+    """
+    load, area = jackson_green(w, stiffness, poisson, strength)
+    young = stiffness * (1.0 - poisson**2)
+    once = (0.5 * np.pi * 1.295 * np.exp(0.736 * poisson) * strength / stiffness) ** 2
+    root = np.sqrt(young / strength)
+    power = -2.0 * root * share ** (1.0 - (w - 1.0) * once) / (4.0 - 3.0 * np.exp(-2.0 * root * share)) / (1.0 - share)
+    radius = np.sqrt(w) + (np.sqrt(area) - np.sqrt(w)) * np.exp(power)
+    return load + (w**1.5 - load) * (1.0 - np.exp(-3.3 * share)), radius**2
+
+
 def etsion_dent(w):
     """Residual depth of a ball that hardens by 0.02 of its modulus; I. Etsion, Y. Kligerman, Y. Kadin (2005).
 

@@ -4,9 +4,9 @@ import functools
 
 import numpy as np
 import pytest
+from wave_elements import Body, levels, pressed
 
 import winkler as wk
-from wave_elements import Body, levels, pressed
 
 STEEL = wk.Elastic(210e9, 0.3, strength=1e9)
 ANSWERS = "depth", "radius", "area", "mean_pressure", "residual_depth", "edge_height", "energy", "dissipation"

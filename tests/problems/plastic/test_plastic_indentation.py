@@ -10,6 +10,7 @@ from closed_correlations import (
     critical,
     etsion_dent,
     etsion_release,
+    ghaednia,
     jackson_green,
     kogut_etsion,
 )
@@ -62,6 +63,18 @@ def test_load_and_area_are_those_of_others_finite_elements(ratio):
     for forces, areas in (kogut_etsion(w), jackson_green(w, STIFFNESS, 0.3, steel.strength)):
         np.testing.assert_allclose(solved.force / load, forces, rtol=0.05)
         np.testing.assert_allclose(area, areas, rtol=0.05)
+
+
+@pytest.mark.parametrize(("share", "near"), [(0.01, 0.045), (0.02, 0.055), (0.05, 0.085)])
+def test_load_of_balls_that_harden_is_that_of_others_finite_elements(share, near):
+    """Their area is smaller by up to a third at 0.05: hardening makes theirs that of Hertz sooner."""
+    hard = wk.LinearHardening(210e9, 0.3, 0.21e9, plastic_modulus=210e9 * share / (1.0 - share))
+    depth, load = critical(STIFFNESS, 0.3, RADIUS, hard.strength)
+    w = np.geomspace(1.9, 110.0, 25)
+    solved = pressed(Foundation(wk.Paraboloid(RADIUS), wk.HalfSpace(hard)), wk.Depth(w * depth))
+    forces, areas = ghaednia(w, STIFFNESS, 0.3, hard.strength, share)
+    np.testing.assert_allclose(solved.force / load, forces, rtol=near)
+    assert np.all(solved.radius**2 / (RADIUS * depth) > areas)  # not resolved: the ring elements have ours
 
 
 def test_dents_and_releases_are_those_of_others_finite_elements():

@@ -52,8 +52,8 @@ def _columns(inverse, lower, force):
 
 
 class Body:
-    """A half-space; `cells` are the steps along x and y, `waves` the nodes along both, `deep` the size of the finest
-    layers, and `box` where it may yield: along x, along y, below."""
+    """A half-space; `steps` along x and y, `waves` the nodes along both, `levels` the depths of the layers, and `box`
+    where it may yield: along x, along y, below."""
 
     def __init__(self, steps, waves, levels, box, young, poisson, strength):
         self.waves, self.strength = waves, strength
@@ -178,11 +178,9 @@ def pressed(bodies, gap, loads):
             sunk = sum(irfft2(wave[0, 2], s=gap.shape) for wave in waves)
             force, depth = touching(compliance, gap + sunk, load, force, 1e-5 if turn < 4 else 1e-7)
             here = rfft2(force)
+            rows_of = zip(bodies, waves, parts(old), strict=True)
             new = np.concatenate(
-                [
-                    body.returned(wave + body.pressed * here, part).ravel()
-                    for body, wave, part in zip(bodies, waves, parts(old), strict=True)
-                ]
+                [body.returned(wave + body.pressed * here, one).ravel() for body, wave, one in rows_of]
             )
             move = new - guess
             if np.linalg.norm(move) <= LEFT * np.linalg.norm(new - old):

@@ -359,11 +359,11 @@ LAW = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
     "Yielding by tables fitted to finite elements in plane strain, of small strains without hardening or friction. In "
-    "their range, and between two bodies, the half-width under a force errs by up to 3 %, the residual depth by 0.04 "
-    "of a^2/2R. The force at release errs by 0.03 of the greatest. A part of the dissipation stays in the bodies as "
+    "their range the half-width under a force errs by up to 4 %, the residual depth by 0.05 of a^2/2R, of two bodies "
+    "by 0.06. The force at release errs by 0.03 of the greatest. A part of the dissipation stays in the bodies as "
     "residual stress.",
     "finite elements of this package, of two kinds; " + JOHNSON,
-    0.04,
+    0.05,
 )
 FULLY_PLASTIC = Note(
     Assumption.RESPONSE,
