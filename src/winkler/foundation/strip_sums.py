@@ -13,7 +13,7 @@ import numpy as np
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.transforms.cosine_transform import has_tail, in_own_lengths
 from winkler.numerics.transforms.strips.strip_equation import StripResponse
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, Curve
 from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["added_responses", "added_sums", "edge_fall"]
@@ -80,14 +80,14 @@ def _octave(bed: Any, octave: int) -> tuple[float, tuple[Panels, ...]] | None:
     def sums(place: Array) -> Array:
         a = unit * np.exp(place.ravel())
         own = bed.half_plane.load_profile(a)
-        return _direct(bed, a) / np.array([own, own / a, np.ones(a.size)])
+        return np.asarray(_direct(bed, a) / np.array([own, own / a, np.ones(a.size)]))
+
+    def one(row: int) -> Curve:
+        return lambda x: sums(x)[row].reshape(x.shape)
 
     size = np.maximum(np.max(np.abs(sums(cuts)), axis=1), 1.0)
     try:
-        return high, tuple(
-            fit_panels(lambda x, row=row: sums(x)[row].reshape(x.shape), cuts, FITTED * size[row], MOST_FITTED)
-            for row in range(3)
-        )
+        return high, tuple(fit_panels(one(row), cuts, FITTED * size[row], MOST_FITTED) for row in range(3))
     except NotConverged:
         return None
 
