@@ -299,13 +299,11 @@ def _print(outcome: Outcome, folder: Path) -> None:
 
 def _print_json(outcome: Outcome, folder: Path | None) -> None:
     from winkler.cli.validate import verdict_json
-    from winkler.study.report.headline.summary import contact_summary
 
     more = {
         "expect": [verdict_json(verdict) for verdict in outcome.verdicts],
         "failed": [
             {"index": list(point.index), "reason": point.reason, "code": point.code} for point in outcome.failed
         ],
-        "summary": [one._asdict() for one in contact_summary(outcome)],
     }
     write_outcome_json(outcome, folder, "answers", more)
