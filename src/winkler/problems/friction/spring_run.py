@@ -117,8 +117,7 @@ class SingleSprings(PressedRow[SpringPlaces]):
         else:
             if not self.driven:
                 ends[1] = self._found(state, goal, bounds)
-            fixed = self.gap, self.stiffness, bounds, self.hold, own
-            march_plane(u, slips, *fixed, ends, force, stored, lost)
+            march_plane(u, slips, self.gap, self.stiffness, bounds, self.hold, own, ends, force, stored, lost)
         depths, move = (own[0], own[1]), ends[1] - ends[0]
         if self.plain:
             worked = work_on_line(state.u[0], self.gap, bounds, depths, move[0])
@@ -197,16 +196,20 @@ class SingleSprings(PressedRow[SpringPlaces]):
 
     def states(self) -> Iterator[SpringState]:
         """Yield the springs as they stand at every point."""
-        columns = zip(self.path.time.tolist(), *(each.tolist() for each in self.contact), strict=True)
-        for normal, (places, work, lost) in zip(columns, follow(self, self.goals), strict=True):
+        depths, forces, radii = (each.tolist() for each in self.contact)
+        columns = zip(self.path.time.tolist(), depths, forces, radii, follow(self, self.goals), strict=True)
+        for time, depth, force, radius, (places, work, lost) in columns:
             line = self.line
             yield SpringState(
-                *normal,
+                time,
+                depth,
+                force,
+                radius,
                 self.bed,
                 self.springs,
                 float(places.shift[0]) if line else places.shift,
                 float(places.force[0]) if line else places.force,
-                self._stick_radius(normal[-1], places),
+                self._stick_radius(radius, places),
                 work,
                 places.stored,
                 lost,

@@ -150,7 +150,7 @@ class RingPoint(NamedTuple):
     friction bears at most [N m] or [N].
     """
 
-    normal: tuple[float, ...]
+    normal: tuple[float, float, float, float]
     at: HistoryPoint
     limit: float
     bound: TwistBound
@@ -198,7 +198,7 @@ def ring_points(
             stored=point.stored / unit,
             lost=2.0 * point.lost / unit,
         )
-        normal = tuple(float(each[i]) for each in (path.time, depth, force, radius))
+        normal = float(path.time[i]), float(depth[i]), float(force[i]), float(radius[i])
         yield RingPoint(normal, at, _limit(bound, presses[i], float(radius[i]), bound_of), bound)
 
 
