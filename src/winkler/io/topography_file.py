@@ -16,7 +16,7 @@ from winkler.io.surfaces.instrument_channels import channel_contents, tip_radius
 from winkler.io.tables.header import names_columns
 from winkler.io.tables.table import Column, read_table
 from winkler.io.text_file import content_of, existing
-from winkler.io.workbooks.workbook_cells import is_workbook
+from winkler.io.workbooks.workbook_cells import is_spreadsheet
 from winkler.numerics.types import Array
 from winkler.profiles.rough.plausibility import without_marks
 from winkler.profiles.rough.topography import Topography
@@ -98,7 +98,7 @@ def read_topography(
         raise InvalidInput(f"{file}: of surfaces of triangles those in .stl are read; save it so, or as rows x, y, z.")
     elif is_simple_field(file):
         contents = simple_field_map(file)
-    elif (suffix in TEXT_ENDINGS or is_workbook(file)) and not channel:
+    elif (suffix in TEXT_ENDINGS or is_spreadsheet(file)) and not channel:
         try:
             contents = text_map(file)
         except InvalidInput as reason:

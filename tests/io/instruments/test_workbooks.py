@@ -127,7 +127,7 @@ def test_an_average_whose_time_falls(tmp_path):
         ({"Sheet1": [["a", "b"], [1.0, 2.0]]}, "no sheet of the workbook has a row that names a depth and a force"),
         (
             {"S": [["h", "P"], [0.0, 0.0], [1.0, 2.0]]},
-            r"no unit stands with 'h'; give it as units = \{ position = \"nm\"",
+            r"no unit stands with 'h' and 'P'; give it as units = \{ position = \"nm\", force",
         ),
         ({"S": [["h (nm)", "P (mN)"], [0.0, 0.0]]}, "1 rows hold depth and force; it needs at least 2"),
         ({"S": [["h (nm)", "P (mN)", *map(str, range(900))], [0.0] * 902]}, "has 902 columns, at most 500 are read"),

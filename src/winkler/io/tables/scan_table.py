@@ -101,7 +101,7 @@ def _evenly(path: Path, unit: str, channel: str, length: float) -> LineScan:
     names = (channel.lower(),) if channel else HEIGHT_COLUMN.names
     column = dataclasses.replace(HEIGHT_COLUMN, names=names)
     try:
-        table = read_table(path, (column,), units={column.word: unit})
+        table = read_table(path, (column,), units={column.word: unit} if unit else {})
     except InvalidInput as error:
         hint = "" if channel else "; or give channel, the name of another column of heights"
         raise error.reworded(lambda one: f"{one.rstrip('.')}{hint}.") from None

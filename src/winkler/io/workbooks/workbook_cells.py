@@ -18,7 +18,7 @@ from winkler.io.workbooks.open_document import Cell, WorkbookSheet, is_open_docu
 from winkler.values.errors import InvalidInput
 from winkler.values.limits import TEXT_BYTES
 
-__all__ = ["Cell", "WorkbookSheet", "is_workbook", "sheets_of"]
+__all__ = ["Cell", "WorkbookSheet", "is_spreadsheet", "is_workbook", "sheets_of"]
 
 OLD, NEW = b"\xd0\xcf\x11\xe0", b"PK\x03\x04"
 ENDINGS = (".xls", ".xlsx", ".xlsm", ".ods")
@@ -30,9 +30,12 @@ MOST_ROWS = 200_000
 
 
 def is_workbook(path: Path) -> bool:
-    """Return whether a file is named and begins as a workbook, or as a file of named arrays."""
-    if path.suffix.lower() in ARRAY_ENDINGS:
-        return is_array_workbook(path)
+    """Return whether a file is a spreadsheet, or one of named arrays."""
+    return is_array_workbook(path) if path.suffix.lower() in ARRAY_ENDINGS else is_spreadsheet(path)
+
+
+def is_spreadsheet(path: Path) -> bool:
+    """Return whether a file is named and begins as the workbook of a spreadsheet."""
     with path.open("rb") as file:
         start = file.read(4)
     return path.suffix.lower() in ENDINGS and start in (OLD, NEW)

@@ -66,15 +66,15 @@ def read_surface_file(path: Path, options: SurfaceOptions) -> SurfaceRead:
     except InvalidInput as reason:
         try:
             sides = _lengths(options)
-            length = sides[0] if len(sides) == 1 and not is_scan(path) else 0.0
-            scan = read_scan(path, unit=options.unit, channel=options.channel, length=length)
+            given = sides[0] if len(sides) == 1 and not is_scan(path) else 0.0
+            scan = read_scan(path, unit=options.unit, channel=options.channel, length=given)
         except InvalidInput as other:
             raise (other if "is no map" in str(reason) or _names_scan(path) else reason) from None
         whole = scan.missing + scan.heights.size
         remarks = [f"Missing: {scan.missing} of {whole} heights, left out."] if scan.missing else []
         length = float(scan.position[-1] - scan.position[0])
         doubted = doubts_of_surface(scan.heights, scan.rms_slope, (length,))
-        if not length and options.unit and "," not in options.unit and scan.rms_slope > STEEP and not doubted:
+        if not given and options.unit and "," not in options.unit and scan.rms_slope > STEEP and not doubted:
             doubted = (
                 f"Doubtful: places and heights were both read in {options.unit}, and the root mean square slope is "
                 f"{scan.rms_slope:.2g}; if the places are in mm, give --unit 'mm, {options.unit}'.",
