@@ -78,8 +78,8 @@ def curves_of_test(test: InstrumentTest, path: object, given: GivenFacts) -> lis
     chosen = {role: column for role, column in found.items() if column is not None}
     lacking = [role for role in chosen if not (chosen[role].unit or units.get(key_of(role)))]
     if lacking:
-        names, keys = [chosen[role].name for role in lacking], [key_of(role) for role in lacking]
-        raise InvalidInput(f"{unit_asked(where, names, keys)}.")
+        asked = [chosen[role].name for role in lacking]
+        raise InvalidInput(f"{unit_asked(where, asked, [key_of(role) for role in lacking])}.")
     factors = {role: _factor(role, column, units, where) for role, column in chosen.items()}
     numbers = {role: column.values * factors[role] for role, column in chosen.items()}
     usable = np.all([_is_number(chosen[role].values) for role in ("depth", "force", "time") if role in chosen], axis=0)
