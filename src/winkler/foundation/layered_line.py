@@ -389,7 +389,7 @@ class LayeredLineFoundation(LineBed):
         unit = self.medium.along_response.smooth * 2.0**octave
         lifted = unit / edges[-1] * np.sign(far) * twists(self.medium.along_response, octave)(np.abs(far) / unit)
         added = -2.0 / np.pi * self.along_share * np.diff(lifted, axis=1)
-        return LineBed.shear_compliance(self, edges) + added
+        return np.asarray(LineBed.shear_compliance(self, edges) + added)
 
     def hat_compliance(self, count: int, spacing: float, reference: float) -> Array:
         """Return the displacement [m] by a hat of tractions, as of `LineBed.hat_compliance`."""

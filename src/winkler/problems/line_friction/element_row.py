@@ -197,7 +197,7 @@ class ElementRow(Row[LineGoal, LineCells]):
             origin = turned if goal.shear != end else origin
         times, start = (2.0, origin.goal.shear) if origin else (1.0, 0.0)
         traction, ahead, slips, shift = first.at(abs(goal.shear - start) / times)
-        traction, ahead, shift = (side * times * each for each in (traction, ahead, shift))
+        traction, ahead, shift = side * times * traction, side * times * ahead, side * times * shift
         if origin:
             traction, ahead, shift = traction + origin.traction, ahead + origin.ahead, shift + origin.shift
         gone = ahead - cells.ahead

@@ -114,7 +114,8 @@ class LineViscoelasticState:
             return np.zeros_like
         edges, borne = self._strips
         line = elastic_line(self.bed)
-        loads, edge_load, added = -np.diff(borne), self.edge_load, np.zeros_like
+        loads, edge_load = -np.diff(borne), self.edge_load
+        added: Callable[[Array], Array] = np.zeros_like
         if isinstance(line, LayeredLineFoundation) and not offers(self.bed.medium, RelaxingByWaves):
             shares, edge_load = shares_of(line, edges, borne), 0.0
             loads = line.medium.modulus * shares * np.diff(line.half_plane.load_profile(edges))

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from typing import Annotated, ClassVar
+from typing import Annotated, ClassVar, cast
 
 import numpy as np
 
@@ -27,6 +27,7 @@ from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.media.interior.peak import StressSpot
 from winkler.media.mapped import MappedMedium, layers_of
+from winkler.media.medium import Medium
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.types import Array, ArrayLike, PerLoad, Q, like
 from winkler.problems.assumptions.declared import PRESSED
@@ -208,11 +209,12 @@ def pressed_ellipse(
 
     hertz = EllipticIndentation(bodies, HalfSpace(Elastic(medium.modulus, 0.0)), load).solve()  # a first guess
     start = float(hertz.longitudinal_semi_axis), float(hertz.lateral_semi_axis)
-    stretch = start[0] / start[1]
-    if isinstance(load, Force) or float(layers_of(medium).whole(np.array([1.0 / max(start)]))[0]) < BENT:
+    stretch, below = start[0] / start[1], layers_of(medium)
+    if isinstance(load, Force) or below is None or float(below.whole(np.array([1.0 / max(start)]))[0]) < BENT:
         return pressed_levels("EllipticIndentation", gap, medium, load, start, pixels=pixels)
-    ball = Indentation(Foundation(Paraboloid(bodies.equivalent_radius), medium), load).solve()
-    start, force = (ball.radius * math.sqrt(stretch), ball.radius / math.sqrt(stretch)), float(ball.force)
+    ball = Indentation(Foundation(Paraboloid(bodies.equivalent_radius), cast(Medium, medium)), load).solve()
+    radius, force = float(ball.radius), float(ball.force)
+    start = radius * math.sqrt(stretch), radius / math.sqrt(stretch)
     for _ in range(MOST_FORCES):
         coarse, fine = pressed_levels("EllipticIndentation", gap, medium, Force(force), start, pixels=pixels)
         if abs(fine.depth / float(load.depth) - 1.0) < MET:
