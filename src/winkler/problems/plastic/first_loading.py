@@ -57,12 +57,14 @@ from winkler.values.checks.outline import refuse_unless_round
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
 __all__ = [
+    "SHARE_POWER",
     "START_SHARE",
     "FirstLoading",
     "GreatestLoad",
     "LoadingTable",
     "first_loading",
     "integral_of_square",
+    "refuse_strengths",
     "refuse_unknown",
     "stored_energy",
 ]
@@ -691,7 +693,17 @@ def refuse_unknown(owner: str, bed: Bed, *, layers: bool = False) -> None:
             "them, so that one strength neither fixes it nor follows from it: give a HalfSpace. PlasticIndentation and "
             "YieldOnset state the load up to which layers keep no dent."
         )
-    parts = strong_parts(bed.medium)
+    refuse_strengths(owner, bed.medium, (LEAST_POISSON, GREATEST_POISSON) if homogeneous else (-1.0, 0.5))
+    if not bed.profile.rising or bed.rim < np.inf or flat_radius(bed) > 0.0:
+        raise InvalidInput(
+            f"{owner}: the profile has a flat end, a rim or a valley, under which bodies yield in another way; "
+            "give a profile that rises from its apex on, such as Sphere, Paraboloid or Cone."
+        )
+
+
+def refuse_strengths(owner: str, medium: object, poisson: tuple[float, float]) -> None:
+    """Refuse bodies none of which has a strength, one that metals do not have, or Poisson's ratios outside of two."""
+    parts = strong_parts(medium)
     if not parts:
         raise InvalidInput(f"{owner}: no body has a strength; give Elastic(young, poisson, strength=...).")
     for part in parts:
@@ -701,16 +713,11 @@ def refuse_unknown(owner: str, bed: Bed, *, layers: bool = False) -> None:
                 f"{owner}: the strength of the {part.name} is {solid.strength:.4g} Pa, more than a fiftieth of "
                 f"Young's modulus, {solid.young:.4g} Pa; metals have less: check the units."
             )
-        if homogeneous and not LEAST_POISSON <= solid.poisson <= GREATEST_POISSON:
+        if not poisson[0] <= solid.poisson <= poisson[1]:
             raise InvalidInput(
                 f"{owner}: Poisson's ratio of the {part.name} is {solid.poisson:g}; how such a body yields is not "
-                f"known here: give one from {LEAST_POISSON:g} to {GREATEST_POISSON:g}."
+                f"known here: give one from {poisson[0]:g} to {poisson[1]:g}."
             )
-    if not bed.profile.rising or bed.rim < np.inf or flat_radius(bed) > 0.0:
-        raise InvalidInput(
-            f"{owner}: the profile has a flat end, a rim or a valley, under which bodies yield in another way; "
-            "give a profile that rises from its apex on, such as Sphere, Paraboloid or Cone."
-        )
 
 
 @functools.lru_cache(maxsize=64)

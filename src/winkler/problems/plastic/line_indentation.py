@@ -39,6 +39,7 @@ from winkler.problems.line.greatest_stress import von_mises
 from winkler.problems.line.pressing_load import pressing
 from winkler.problems.line.validity import line_notes
 from winkler.problems.normal.strong_parts import strong_parts
+from winkler.problems.plastic.first_loading import SHARE_POWER, refuse_strengths
 from winkler.problems.plastic.yielded_line import (
     GREATEST_POISSON,
     LEAST_POISSON,
@@ -52,9 +53,6 @@ from winkler.values.value import value, words
 
 __all__ = ["LinePlasticIndentation", "LinePlasticSolution"]
 
-LEAST_STIFFNESS = 50.0
-SHARE_POWER = 1.5
-"""As of bodies of revolution: power of its share of the gap with which a body counts for the shape of the pressure."""
 POINTS_PER_EFOLD, NODES = 48, 4
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 6.3, doi:10.1017/CBO9781139171731"
 
@@ -388,26 +386,13 @@ def _refuse_unknown(bed: LineFoundation) -> None:
             f"{owner}: the profile is a {type(bed.profile).__name__}; how a line yields is known of cylinders only: "
             "give a Paraboloid."
         )
-    parts = strong_parts(bed.medium)
-    if not parts:
-        raise InvalidInput(f"{owner}: no body has a strength; give Elastic(young, poisson, strength=...).")
-    for part in parts:
-        solid = part.solid
-        if isinstance(solid, Hardening):
+    for part in strong_parts(bed.medium):
+        if isinstance(part.solid, Hardening):
             raise InvalidInput(
                 f"{owner}: the {part.name} hardens; how such a metal yields under a line is not known to winkler: give "
                 "Elastic(young, poisson, strength) with its flow stress."
             )
-        if solid.strength * LEAST_STIFFNESS > solid.young:
-            raise InvalidInput(
-                f"{owner}: the strength of the {part.name} is {solid.strength:.4g} Pa, more than a fiftieth of "
-                f"Young's modulus, {solid.young:.4g} Pa; metals have less: check the units."
-            )
-        if not LEAST_POISSON <= solid.poisson <= GREATEST_POISSON:
-            raise InvalidInput(
-                f"{owner}: Poisson's ratio of the {part.name} is {solid.poisson:g}; how such a body yields is not "
-                f"known here: give one from {LEAST_POISSON:g} to {GREATEST_POISSON:g}."
-            )
+    refuse_strengths(owner, bed.medium, (LEAST_POISSON, GREATEST_POISSON))
 
 
 @functools.lru_cache(maxsize=64)
