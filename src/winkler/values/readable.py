@@ -105,8 +105,8 @@ def _finite(content: Any) -> np.ndarray:
     return np.asarray(numbers[np.isfinite(numbers)])
 
 
-def with_unit(number: float, unit: str | None, digits: int = 4) -> str:
-    """Return a number with its unit for reading.
+def with_unit(number: float, unit: str | None, digits: int = 4, *, beside: float | None = None) -> str:
+    """Return a number with its unit for reading; in the unit of a number that stands beside it, if there is one.
 
     Examples
     --------
@@ -114,6 +114,8 @@ def with_unit(number: float, unit: str | None, digits: int = 4) -> str:
     ('186.6 µm', '0.3', '210 GPa')
     >>> with_unit(5.5e-8, "m^2"), with_unit(1.2e-15, "m^3"), with_unit(5.3e-23, "m"), with_unit(0.0018, "N m")
     ('0.055 mm²', '1200 µm³', '5.3·10⁻²³ m', '1.8 mN m')
+    >>> with_unit(1.374e-12, "m^3/s", beside=2.643e-14)
+    '1.374·10⁶ µm³/s'
     >>> with_unit(math.inf, "ohm"), with_unit(math.nan, "")
     ('infinite', 'undefined')
 
@@ -124,7 +126,7 @@ def with_unit(number: float, unit: str | None, digits: int = 4) -> str:
     """
     if not math.isfinite(number):
         return "undefined" if math.isnan(number) else f"{'−' * (number < 0.0)}infinite"
-    scale = scale_of(unit, number)
+    scale = scale_of(unit, number if beside is None else beside)
     text = f"{number / scale.factor:.{digits}g}".replace("-", "−")
     if "e+" in text and abs(float(text.replace("−", "-"))) < WHOLE_BELOW:
         text = f"{float(text.replace('−', '-')):.0f}".replace("-", "−")

@@ -64,6 +64,7 @@ class DentLimit:
 
     references: ClassVar[tuple[str, ...]] = ("johnson_1985", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED
+    needs_round: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
         refuse_unknown(type(self).__name__, self.bed)

@@ -144,6 +144,7 @@ class PlasticImpact(PerLoad[Q]):
 
     references: ClassVar[tuple[str, ...]] = ("johnson_1985", "popov_hess_2015", "tabor_1948")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED | {Assumption.INERTIA}
+    needs_round: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
         owner = type(self).__name__

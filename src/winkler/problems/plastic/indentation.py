@@ -132,6 +132,7 @@ class PlasticIndentation:
 
     references: ClassVar[tuple[str, ...]] = ("johnson_1985", "popov_hess_2015")
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED | BALANCED
+    needs_round: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
         owner = type(self).__name__

@@ -18,6 +18,8 @@ from winkler.values.vocabulary import Word
 
 __all__ = ["ALIKE", "SoughtNumber", "as_share", "numbers_named", "sought_numbers"]
 
+FAR = 1e3
+"""Ratio of two numbers of a sentence from which on each has a unit of its own."""
 ALIKE = 1e-3
 """Relative difference below which the greatest number is that of the end."""
 ALONG_A_PATH = ("time", "distance", "cycles", "cycle", "position")
@@ -124,7 +126,8 @@ class SoughtNumber(NamedTuple):
             return f"the {label} is between {low}{where[0]} and {high}{where[1]}"
         if self.ends_at_zero:
             return f"the {self.extreme_name} {label} is {self.text}, and {self._of(0.0)} {self.end.rstrip(',')}"
-        beside = f", and the {self.extreme_name} {self._of(self.extreme)}" if self.varies else ""
+        extreme = f"{self.extreme_name} {self.label}" if clause else self.extreme_name
+        beside = f" ({extreme}: {self._of(self.extreme, beside=self.last)})" if self.varies else ""
         said = clause or f"the {label} is {self.text}"
         return f"{f'{self.end} ' if self.many and not self.swept else ''}{said}{beside}"
 
@@ -138,8 +141,11 @@ class SoughtNumber(NamedTuple):
         """What the number is called that is farthest from zero."""
         return "lowest" if self.extreme < 0.0 else "greatest"
 
-    def _of(self, number: float) -> str:
-        return as_share(number) if self.is_share else with_unit(number, self.word.unit)
+    def _of(self, number: float, beside: float | None = None) -> str:
+        if self.is_share:
+            return as_share(number)
+        near = beside if beside and 1.0 / FAR < abs(number / beside) < FAR else None
+        return with_unit(number, self.word.unit, beside=near)
 
     @property
     def is_share(self) -> bool:
