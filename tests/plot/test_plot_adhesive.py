@@ -102,9 +102,11 @@ def test_springs_that_pull_reach_above_the_surface_in_another_colour():
     axes = draw(STUCK).axes[1]
     coils = [item for item in axes.collections if isinstance(item, LineCollection)]
     ends = {}
-    for coil in coils:
-        line = coil.get_segments()[0]
-        ends.setdefault(style.RED if coil.get_color()[0][0] > 0.5 else style.BLUE, []).append(line[-1, 1])
+    for collection in coils:
+        segments = collection.get_segments()
+        colours = np.broadcast_to(collection.get_color(), (len(segments), 4))
+        for line, colour in zip(segments, colours, strict=True):
+            ends.setdefault(style.RED if colour[0] > 0.5 else style.BLUE, []).append(line[-1, 1])
     assert max(ends[style.BLUE]) > 3.0  # um: close to the stretch of the edge, sqrt(2 pi a w / E*) = 4.37
     x = np.linspace(0.0, STUCK.radius, 50)
     assert -np.min(STUCK.pressed.value(x)) == pytest.approx(math.sqrt(2 * math.pi * STUCK.radius * 0.05 * 0.75e-6))

@@ -109,11 +109,11 @@ def test_springs_that_recover_differ_from_those_in_contact():
     from winkler.plot import style
 
     coils = picture("let go").axes[0].collections
-    colours = [to_hex(item.get_edgecolor()[0]) for item in coils if len(item.get_edgecolor())]
+    colours = [to_hex(colour) for item in coils for colour in item.get_edgecolor()]
     assert style.GREEN in colours
     assert style.RED not in colours
     pressed = picture("pressed").axes[0].collections
-    assert style.RED in [to_hex(item.get_edgecolor()[0]) for item in pressed if len(item.get_edgecolor())]
+    assert style.RED in [to_hex(colour) for item in pressed for colour in item.get_edgecolor()]
 
 
 def test_measured_points_are_shown_beside_the_series():

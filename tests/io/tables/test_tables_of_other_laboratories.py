@@ -261,6 +261,6 @@ def test_a_test_with_an_extension_is_no_hold(tmp_path):
     """Instron's 'Time, Extension, Load' was taken for the force over the time of a hold, its extension unread."""
     path = _file(tmp_path, ["Time,Extension,Load", "(s),(mm),(N)"], [0.1 * DEPTH, DEPTH, FORCE])
     found = inspect_file(path, brief=True)
-    assert not found.is_read
-    assert "give spring_constant in N/m" in found.reason
+    assert found.taken_for in ("force curve", "nanoindentation")
+    assert "position from 'Extension [mm]', force from 'Load [N]', time from 'Time [s]'" in found.reason
     assert read_curve(path, spring_constant=1e6).position == pytest.approx(DEPTH * 1e-3)

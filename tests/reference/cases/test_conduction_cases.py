@@ -29,15 +29,16 @@ def modulus(problem: dict) -> mp.mpf:
 
 
 def holm_silver_ball(problem: dict) -> dict:
-    curvature, force = number(problem["bed"]["profile"]["curvature_radius"]), number(problem["load"]["force"])
-    radius = mp.cbrt(3 * force * curvature / (4 * modulus(problem)))
+    contact = problem["contact"]
+    curvature, force = number(contact["bed"]["profile"]["curvature_radius"]), number(contact["load"]["force"])
+    radius = mp.cbrt(3 * force * curvature / (4 * modulus(contact)))
     rho = sum(number(problem["conductors"][which]["resistivity"]) for which in ("first", "second"))
     return {"radius": radius, "resistance": rho / (4 * radius), "conductance": 4 * radius / rho}
 
 
 def kohlrausch_metal(problem: dict) -> dict:
     ambient, lorenz = number(problem["temperature"]), number(problem["law"]["lorenz_number"])
-    voltage, radius = number(problem["drive"]["voltage"]), number(problem["load"]["radius"])
+    voltage, radius = number(problem["drive"]["voltage"]), number(problem["contact"]["load"]["radius"])
     v = voltage / (2 * mp.sqrt(lorenz) * ambient)
     resistance = number(problem["conductors"]["first"]["resistivity"]) / (2 * radius) * v / mp.atan(v)
     assert number(problem["conductors"]["first"]["temperature_coefficient"]) * ambient == pytest.approx(1.0, rel=1e-15)
@@ -69,7 +70,7 @@ def barber_bounds(problem: dict) -> dict:
 def disc_heat(problem: dict) -> dict:
     first, second = (number(problem["conductors"][which]["conductivity"]) for which in ("first", "second"))
     drop = number(problem["temperature_drop"])
-    rate = 4 * number(problem["load"]["radius"]) * drop / (1 / first + 1 / second)
+    rate = 4 * number(problem["contact"]["load"]["radius"]) * drop / (1 / first + 1 / second)
     return {"heat_rate": rate, "first_drop": drop * second / (first + second)}
 
 
