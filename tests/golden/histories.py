@@ -210,7 +210,10 @@ def line(problem: Problem, medium: str, control: str, seed: int) -> Any:
         wk.LineFrettingWear: lambda: problem(bed, wear, law, load, swing, [0.0, 1e3, 1e4], count=80),
         wk.LineSlidingWear: lambda: problem(bed, wear, load, width * np.array([0.0, 0.1, 1.0]), count=80),
         wk.LineConstriction: lambda: problem(
-            bed, wk.ElectricalConductors(copper, copper), loads[control], 30.0 * width, 50.0 * width
+            wk.LineIndentation(bed, loads[control]),
+            wk.ElectricalConductors(copper, copper),
+            30.0 * width,
+            50.0 * width,
         ),
         wk.LineFrictionHeating: lambda: problem(
             wk.LineIndentation(bed, loads[control]), law, wk.HeatConductors(steel, steel), *speeds

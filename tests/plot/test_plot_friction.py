@@ -195,7 +195,10 @@ def test_springs_that_stick_differ_from_those_that_slide():
     def colours(state):
         axes = titled(draw(state), "springs")
         found = [
-            tuple(np.round(item.get_color()[0][:3], 3)) for item in axes.collections if hasattr(item, "get_segments")
+            tuple(np.round(colour[:3], 3))
+            for item in axes.collections
+            if hasattr(item, "get_segments")
+            for colour in np.broadcast_to(item.get_color(), (len(item.get_segments()), 4))
         ]
         names = {tuple(np.round(_rgb(colour), 3)): colour for colour in (style.RED, style.GREEN, style.MUTED)}
         return [names[colour] for colour in found]  # fmt: skip

@@ -77,7 +77,7 @@ def test_a_round_spot_through_elastic_layers_and_platings():
     found = wk.SurfaceConduction(contact, pair, realisations=2).solve()
     assert found.resistance == pytest.approx(disc.resistance, rel=2e-3)
     bare = wk.Constriction(
-        wk.Indentation(disc.problem.bed, wk.Radius(10e-6)), wk.ElectricalConductors(BRONZE, BRONZE)
+        wk.Indentation(disc.problem.contact.bed, wk.Radius(10e-6)), wk.ElectricalConductors(BRONZE, BRONZE)
     ).solve()
     assert disc.resistance < 0.75 * bare.resistance  # what the plating does is no trifle here
     assert found.least_resistance < 0.8 * found.resistance
