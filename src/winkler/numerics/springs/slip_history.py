@@ -41,14 +41,14 @@ def _stick_radius(u: Array, slips: Array, bound: Array, hold: float, gap: Array,
     if first == touching:
         return math.inf
     if first < 2 or hold > 1.0:
-        return position[first] if first > 0 else 0.0
+        return float(position[first]) if first > 0 else 0.0
     near, far = first - 1, first - 2
     left = bound[near] - math.sqrt(u[0, near] * u[0, near] + u[1, near] * u[1, near])
     fall = bound[far] - math.sqrt(u[0, far] * u[0, far] + u[1, far] * u[1, far]) - left
     part = 1.0
     if fall > 0.0:
         part = min(left * (gap[near] - gap[far]) / (fall * (gap[first] - gap[near])), 1.0)
-    return position[near] + part * (position[first] - position[near])
+    return float(position[near] + part * (position[first] - position[near]))
 
 
 @compiled

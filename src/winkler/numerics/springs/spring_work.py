@@ -60,7 +60,7 @@ def work_on_line(u: Array, gap: Array, stiffness: Array, slope: Array, first: fl
     Springs stand at u (n,) before; the bodies move by `move`, and the depth goes from `first` to `last`.
     """
     before, after = np.searchsorted(gap, first), np.searchsorted(gap, last)
-    work = _work_on_row(u, stiffness, gap, slope, first, last, move, min(before, after))
+    work = _work_on_row(u, stiffness, gap, slope, first, last, move, int(min(before, after)))
     for i in range(before, after):
         travel, bound = move * ((last - gap[i]) / (last - first)), slope[i] * (last - gap[i])
         # what comes meets its bound at once, or never
