@@ -102,10 +102,9 @@ class SingleSprings(PressedRow[SpringPlaces]):
         """What is prescribed at the points of the path."""
         return [SlipGoal(*row) for row in zip(self.own.tolist(), self.contact[1].tolist(), self.along, strict=True)]
 
-    @property
     def straight(self) -> bool:
-        """Whether no step is bent by a prescribed force, so that whole blocks of steps go through one kernel."""
-        if self.unbent or not (self.driven or self.plain):
+        """Return whether no step is bent by a prescribed force, so that whole blocks of steps go through one kernel."""
+        if self._unbent or not (self.driven or self.plain):
             return self.driven or self.plain
         steady, same = np.diff(self.own) == 0.0, np.all(np.diff(self.along, axis=0) == 0.0, axis=1)
         return bool(np.all(self._straight(steady, same)))

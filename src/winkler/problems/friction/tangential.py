@@ -245,7 +245,7 @@ class Tangential:
         """
         if not (self.relaxes or self.by_rings) and (self.method is Method.SPRINGS or not self._coulomb_line):
             row = self._row
-            if row.straight:
+            if row.straight():
                 numbers, last = row.history()
                 return TangentialSolution(problem=self, states=RestoredStates(self, last), **numbers)
         return self.gathered(self.steps())

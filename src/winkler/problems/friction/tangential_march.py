@@ -72,7 +72,7 @@ class PressedRow(Row[SlipGoal, State]):
         self.allowed = CURVED_STEP_TOLERANCE * size, CURVED_STEP_TOLERANCE * stiffness * size**2
 
     @property
-    def unbent(self) -> bool:
+    def _unbent(self) -> bool:
         """Whether no step is ever bent."""
         return not self.curves or (self.driven and self.pressed)
 
@@ -88,7 +88,7 @@ class PressedRow(Row[SlipGoal, State]):
     def halfway(self, state: State, start: SlipGoal, goal: SlipGoal) -> SlipGoal | None:
         """Return what is prescribed at the middle of the depths."""
         steady = start.depth == goal.depth
-        if self.unbent or self._straight(steady, np.all(start.along == goal.along)):
+        if self._unbent or self._straight(steady, np.all(start.along == goal.along)):
             return None
         depth, force, share = 0.5 * (start.depth + goal.depth), start.force, 0.5
         if not (self.pressed or steady):
