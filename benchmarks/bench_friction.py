@@ -66,9 +66,9 @@ def bench_springs_in_the_plane(benchmark, below, amplitude):
 
 
 LOOPS = {
-    "shift": (lambda full: wk.Shift(0.5 * full * np.sin(0.1 * TIME)), 0.15),
-    "shear force": (lambda full: wk.ShearForce(60.0 * np.sin(0.1 * TIME)), 0.15),
-    "plane": (lambda full: wk.Shift(0.5 * full * np.column_stack([np.sin(0.1 * TIME), np.cos(0.07 * TIME)])), 0.9),
+    "shift": (lambda full: wk.Shift(0.5 * full * np.sin(0.1 * TIME)), 5e-3),
+    "shear force": (lambda full: wk.ShearForce(60.0 * np.sin(0.1 * TIME)), 30e-3),
+    "plane": (lambda full: wk.Shift(0.5 * full * np.column_stack([np.sin(0.1 * TIME), np.cos(0.07 * TIME)])), 25e-3),
 }
 
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Generic, TypeVar
+import functools
+from collections.abc import Iterator, Sequence
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 
@@ -10,15 +12,55 @@ from winkler.loading.loads import Depth, Force, Load, Radius
 from winkler.numerics.types import Quantity
 from winkler.values.errors import InvalidInput
 
-__all__ = ["OfPath", "one_of", "picked", "single"]
+__all__ = ["OfPath", "RestoredStates", "one_of", "picked", "single"]
 
 State = TypeVar("State")
+
+
+class RestoredStates(Sequence[State]):
+    """The states of a path that was followed in blocks: restored by its steps, when another than the last is asked for.
+
+    Parameters
+    ----------
+    problem
+        What was solved.
+    last
+        The state at the last point.
+    """
+
+    def __init__(self, problem: Any, last: State) -> None:
+        self.problem, self.last = problem, last
+
+    @functools.cached_property
+    def _all(self) -> tuple[State, ...]:
+        return tuple(self.problem.steps())
+
+    def __len__(self) -> int:
+        return int(self.problem.total)
+
+    def __getitem__(self, index: Any) -> Any:
+        return self.last if index in (-1, len(self) - 1) else self._all[index]
+
+    def __iter__(self) -> Iterator[State]:
+        return iter(self._all)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, RestoredStates | tuple) and self._all == tuple(other)
+
+    def __hash__(self) -> int:
+        return hash(self._all)
+
+    def __repr__(self) -> str:
+        return f"{len(self)} x {type(self.last).__name__}"
+
+    def __reduce__(self) -> Any:
+        return RestoredStates, (self.problem, self.last)
 
 
 class OfPath(Generic[State]):
     """The part of a solution that holds its states, one for each point of a path."""
 
-    states: tuple[State, ...]
+    states: Sequence[State]
 
     def at(self, index: int) -> State:
         """Return the state at one point of the path.

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.numerics.springs.spring_work import work_on_springs
+from winkler.numerics.springs.spring_work import work_in_plane
 from winkler.problems.assumptions.energy import missing_energy
 from winkler.values.validity import Assumption, Standing
 
@@ -238,19 +238,20 @@ def test_sliding_in_the_plane_keeps_account(law):
 
 
 @pytest.mark.parametrize(
-    ("last", "angle", "track"), [(1.0, 1.2, 3.0), (1.5, 1.0, 4.0), (0.2, 2.3, 1.0), (3.0, 0.7, 60.0)]
+    ("last", "angle", "track"),
+    [(1.0, 1.2, 3.0), (1.5, 1.0, 4.0), (0.2, 2.3, 1.0), (3.0, 0.7, 60.0), (1.0, 1.5, 0.01), (1.05, 1.2, 0.3)],
 )
 def test_a_spring_that_turns_takes_the_work_of_its_path(last, angle, track):
     """By mpmath: tan(theta/2) falls like a power of a bound that goes from 1 m to another one."""
-    start, bounds = np.array([[np.cos(angle), np.sin(angle)]]), np.array([[1.0], [last]])
-    result = work_on_springs(start, np.zeros(1, bool), np.zeros(1), bounds, 1.0, (1.0, 1.0), np.array([track, 0.0]))
+    start, one = np.array([[np.cos(angle)], [np.sin(angle)]]), np.ones(1)
+    result = work_in_plane(start, np.zeros(1, bool), 0.0 * one, one, one, last * one, 1.0, 1.0, 1.0, track, 0.0)
 
     def pull(x):
         bound = 1 + (last - 1) * x / track
         y = x if last == 1.0 else track / (last - 1) * mpmath.log(bound)
         return bound * mpmath.cos(2 * mpmath.atan(mpmath.exp(-y) * mpmath.tan(angle / 2)))
 
-    assert result[0] == pytest.approx(float(mpmath.quad(pull, [0.0, 0.1 * track, 0.3 * track, track])), rel=1e-9)
+    assert result == pytest.approx(float(mpmath.quad(pull, [0.0, 0.1 * track, 0.3 * track, track])), rel=1e-9)
 
 
 @pytest.mark.few(0, slow=2)

@@ -191,7 +191,10 @@ def march_line(
         end = min(start + SPRINGS_PER_CHUNK, gap.size)
         v, g, k, b = u[start:end], gap[start:end], stiffness[start:end], slope[start:end]
         before = np.searchsorted(g, depth[0])
-        alike = b.min() == b.max()
+        unlike = 0
+        for i in range(b.size):
+            unlike += 1 if b[i] != b[0] else 0
+        alike = unlike == 0
         for t in range(steps):
             sunk = depth[t + 1] - depth[t]
             moved = shift[t + 1] - shift[t]

@@ -7,7 +7,7 @@ import math
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.jit import compiled
 
-__all__ = ["travel"]
+__all__ = ["MOST_DROPS", "slip_onset", "travel"]
 
 NODES, WEIGHTS = (tuple(map(float, row)) for row in gauss_legendre(12))
 MOST_DROPS = 64
@@ -63,7 +63,7 @@ def _turn(
 
 
 @compiled
-def _slip_onset(ux: float, uy: float, bound: float, last: float, mx: float, my: float) -> float:
+def slip_onset(ux: float, uy: float, bound: float, last: float, mx: float, my: float) -> float:
     """Return the part of the path after which a spring that moves by m reaches a circle that goes to radius `last`."""
     scale = max(bound, last, abs(ux), abs(uy), abs(mx), abs(my))
     x, y, dx, dy = ux / scale, uy / scale, mx / scale, my / scale
@@ -92,7 +92,7 @@ def travel(
             rim = hold * last
             if tx * tx + ty * ty <= rim * rim:
                 return tx, ty, loss, False
-            part = _slip_onset(ux, uy, hold * bound, rim, left * mx, left * my)
+            part = slip_onset(ux, uy, hold * bound, rim, left * mx, left * my)
             ux, uy = ux + part * left * mx, uy + part * left * my
             left *= 1.0 - part
             size = math.sqrt(ux * ux + uy * uy)

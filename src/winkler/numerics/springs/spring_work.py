@@ -1,4 +1,4 @@
-r"""The work that bodies do on springs which stick and slip in the plane, from the loads on their paths.
+r"""Kernels: the work that bodies do on springs which stick and slip in the plane, from the loads on their paths.
 
 It is :math:`k\int\mathbf u\cdot\mathrm d\mathbf U`, summed up from where springs stand at the beginning of a straight
 step: while they stick u follows U; while they slip with the angle :math:`\theta` to the motion,
@@ -7,160 +7,167 @@ step: while they stick u follows U; while they slip with the angle :math:`\theta
           - \int_0^Y b^2\,\frac{2\tau^2}{1+\tau^2}\,\mathrm dy ,
           \qquad \tau = \tan\tfrac\theta2 = e^{-y}\tan\tfrac{\theta_0}2 , \qquad \mathrm dy = \frac{|\mathrm dU|}b ,
 
-by quadrature over y.  Where the kernels of `winkler.numerics.springs.slip_kernels` and
-`winkler.numerics.springs.slip_plane` let the step end, and what they find to be lost, plays no part.
+in closed form where the bound stays, else by quadrature over y.  Where the kernels of
+`winkler.numerics.springs.slip_kernels` and `winkler.numerics.springs.slip_plane` let the step end, and what they find
+to be lost, plays no part.
 """
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.jit import compiled
+from winkler.numerics.springs.slip_turn import MOST_DROPS, slip_onset
 from winkler.numerics.types import Array
 
-__all__ = ["work_on_line", "work_on_springs"]
+__all__ = ["work_in_plane", "work_on_line"]
 
-NODES, WEIGHTS = gauss_legendre(12)
-INTERVAL_WIDTH = 2.0
-"""So much of y is integrated at once."""
+NODES, WEIGHTS = (tuple(map(float, row)) for row in gauss_legendre(12))
+FEW_NODES, FEW_WEIGHTS = (tuple(map(float, row)) for row in gauss_legendre(6))
+INTERVAL_WIDTH, NARROW = 2.0, 0.5
+"""So much of y is integrated at once; of so little the rule with few nodes leaves 1e-13."""
 DECAY_SPAN = 20.0
 """By how much y grows until nothing is left to turn."""
-MOST_DROPS = 64
-"""How often a spring may drop from its static to its kinetic bound within one step."""
 
 
-def work_on_springs(
-    u: Array, slips: Array, gap: Array, bounds: Array, hold: float, depths: tuple[float, float], move: Array
-) -> Array:
-    """Return the work of one straight step on springs, over their stiffness.
+@compiled
+def _work_on_row(
+    u: Array, stiffness: Array, gap: Array, slope: Array, first: float, last: float, move: float, stay: int
+) -> float:
+    """Return the work on the inner springs, in contact all the time."""
+    work = 0.0
+    for i in range(stay):
+        before, bound = slope[i] * (first - gap[i]), slope[i] * (last - gap[i])
+        aim = u[i] + move
+        side = 1.0 if aim > 0.0 else -1.0
+        closing = side * move - (bound - before)
+        slides = (side * aim > bound) & (closing > 0.0)
+        part = (before - side * u[i]) / (closing if slides else 1.0)
+        part = part if part > 0.0 else 0.0
+        part = part if slides & (part < 1.0) else 1.0
+        onset = u[i] + part * move
+        work += stiffness[i] * (part * (u[i] + onset) + (1.0 - part) * (onset + side * bound))
+    return 0.5 * move * work
 
-    Parameters
-    ----------
-    u : ndarray, (n, 2)
-        Where springs stand before [m].
-    slips : ndarray, (n,)
-        Whether they slip; counts where `hold` exceeds one.
-    gap : ndarray, (n,)
-        Ascending [m].
-    bounds : ndarray, (2, n)
-        How far slipping springs are displaced before and after [m], zero out of contact.
-    hold : float
-        Bound of sticking springs over that of slipping ones [-].
-    depths : tuple of float
-        Before and after [m].
-    move : ndarray, (2,)
-        Of the bodies along the surface [m].
+
+@compiled
+def work_on_line(u: Array, gap: Array, stiffness: Array, slope: Array, first: float, last: float, move: float) -> float:
+    """Return the work [J] of one straight step on springs that stay in one line and have one bound.
+
+    Springs stand at u (n,) before; the bodies move by `move`, and the depth goes from `first` to `last`.
     """
-    before, after = (int(np.searchsorted(gap, depth)) for depth in depths)
-    stay, sunk = min(before, after), depths[1] - depths[0]
-    work = np.zeros(gap.size)
-    work[:stay] = _worked(u[:stay], slips[:stay], bounds[0, :stay], bounds[1, :stay], hold, np.ones(stay), move)
-    if after > before:
-        came = slice(before, after)
-        travel = (depths[1] - gap[came]) / sunk * float(np.hypot(*move))
-        last = bounds[1, came]
-        work[came] = 0.5 * travel * np.where(travel > hold * last, last, travel)
-    elif before > after:
-        left = slice(after, before)
-        share = (depths[0] - gap[left]) / -sunk
-        work[left] = _worked(u[left], slips[left], bounds[0, left], np.zeros(before - after), hold, share, move)
+    before, after = np.searchsorted(gap, first), np.searchsorted(gap, last)
+    work = _work_on_row(u, stiffness, gap, slope, first, last, move, int(min(before, after)))
+    for i in range(before, after):
+        travel, bound = move * ((last - gap[i]) / (last - first)), slope[i] * (last - gap[i])
+        # what comes meets its bound at once, or never
+        work += 0.5 * stiffness[i] * abs(travel) * min(abs(travel), bound)
+    for i in range(after, before):
+        travel, bound = move * ((first - gap[i]) / (first - last)), slope[i] * (first - gap[i])
+        aim = u[i] + travel
+        side = 1.0 if aim > 0.0 else -1.0
+        closing = side * travel + bound
+        part = 1.0
+        if side * aim > 0.0 and closing > 0.0:
+            part = min(max((bound - side * u[i]) / closing, 0.0), 1.0)
+        onset = u[i] + part * travel
+        work += 0.5 * stiffness[i] * travel * (part * (u[i] + onset) + (1.0 - part) * onset)
     return work
 
 
-def work_on_line(u: Array, gap: Array, bounds: Array, depths: tuple[float, float], move: float) -> Array:
-    """Return as `work_on_springs`, of springs that stay in one line and have one bound, whether they slip or not.
+@compiled
+def _slipped(ux: float, uy: float, bound: float, last: float, mx: float, my: float) -> float:
+    """Return the work on a spring that slips on a circle whose radius goes from `bound` to `last`."""
+    length = math.sqrt(mx * mx + my * my)
+    work = 0.5 * (bound + last) * length
+    if bound <= 0.0 or length <= 0.0:
+        return work
+    cosine = min(max((ux * mx + uy * my) / (bound * length), -1.0), 1.0)
+    if cosine == 1.0:
+        return work
+    if cosine == -1.0:
+        return -work
+    growth, turn = (last - bound) / bound, 0.5 * (1.0 - cosine)
+    if growth == 0.0:
+        gone = -math.expm1(-2.0 * length / bound)
+        return work - bound * bound * math.log1p(turn * gone / (1.0 - turn * gone))
+    slope = (1.0 - cosine) / (1.0 + cosine)
+    far = min(length / bound * (math.log1p(growth) / growth), DECAY_SPAN + 0.5 * math.log1p(slope))
+    power = 2.0 * (last - bound) / length
+    parts = math.ceil(far / INTERVAL_WIDTH)
+    width = far / max(parts, 1)
+    back = 0.0
+    if far <= NARROW:
+        for k in range(len(FEW_NODES)):
+            y = width * FEW_NODES[k]
+            square = slope * math.exp(-2.0 * y)
+            back += FEW_WEIGHTS[k] * math.exp(power * y) * square / (1.0 + square)
+    else:
+        for part in range(parts):
+            for k in range(len(NODES)):
+                y = width * (part + NODES[k])
+                square = slope * math.exp(-2.0 * y)
+                back += WEIGHTS[k] * math.exp(power * y) * square / (1.0 + square)
+    return work - 2.0 * width * bound * bound * back
 
-    Parameters
-    ----------
-    u : ndarray, (n,)
-        Where springs stand before [m].
-    gap, bounds, depths
-        As of `work_on_springs`.
-    move : float
-        Of the bodies along the line [m].
-    """
-    (first, last), sunk = bounds, depths[1] - depths[0]
-    came, left = gap >= depths[0], gap >= depths[1]
-    share = np.where(came ^ left, (max(depths) - gap) / (abs(sunk) or 1.0), ~came)
-    start, travel = np.where(came, 0.0, u), share * move
-    side = np.sign(start + travel)
-    closing = side * travel - (last - first)
-    slides = (side * (start + travel) > last) & (closing > 0.0)
-    part = np.where(slides, np.clip((first - side * start) / np.where(slides, closing, 1.0), 0.0, 1.0), 1.0)
-    onset = start + part * travel
-    return np.asarray(0.5 * travel * (part * (start + onset) + (1.0 - part) * (onset + side * last)))
 
-
-def _worked(u: Array, slips: Array, first: Array, last: Array, hold: float, share: Array, move: Array) -> Array:
-    """Return the work on springs that are in contact for a share of the step, in which bounds go straight."""
-    work, left = np.zeros(share.size), np.ones(share.size)
-    at, now, sliding = u.copy(), first.copy(), slips & (hold > 1.0)
-    rows = np.arange(share.size)
+@compiled
+def _worked(ux: float, uy: float, bound: float, last: float, mx: float, my: float, hold: float, slips: bool) -> float:
+    """Return the work on a spring in contact, over its stiffness, while its bound goes straight."""
+    work = 0.0
+    left = 1.0
+    fall = last - bound
     for _ in range(MOST_DROPS):
-        if not rows.size:
-            break
-        travel, fall = share[rows, None] * move, last[rows] - first[rows]
-        sliding[rows] &= np.sum(at[rows] * travel, axis=1) >= fall * now[rows]
-        rest = left[rows, None] * travel
-        aim = at[rows] + rest
-        stuck = ~sliding[rows]
-        ends = stuck & (np.sum(aim**2, axis=1) <= (hold * last[rows]) ** 2)
-        work[rows[ends]] += 0.5 * np.sum(rest * (at[rows] + aim), axis=1)[ends]
-        hits = stuck & ~ends
-        hit = rows[hits]
-        if hit.size:
-            part = _slip_onset(at[hit], hold * now[hit], hold * last[hit], rest[hits])
-            reached = at[hit] + part[:, None] * rest[hits]
-            work[hit] += 0.5 * np.sum((reached - at[hit]) * (at[hit] + reached), axis=1)
-            left[hit] *= 1.0 - part
-            at[hit] = reached / hold
-            now[hit] = np.hypot(*at[hit].T)
-        again = hits & (hold > 1.0) & (np.sum(at[rows] * travel, axis=1) < fall * now[rows])
-        slide = ~ends & ~again
-        goes = rows[slide]
-        work[goes] += _slipped(at[goes], now[goes], last[goes], left[goes, None] * travel[slide])
-        rows = rows[again]
+        if slips and hold > 1.0 and ux * mx + uy * my < fall * bound:
+            slips = False
+        if not slips or hold == 1.0:
+            rx, ry = left * mx, left * my
+            tx, ty = ux + rx, uy + ry
+            rim = hold * last
+            if tx * tx + ty * ty <= rim * rim:
+                return work + 0.5 * (rx * (ux + tx) + ry * (uy + ty))
+            part = slip_onset(ux, uy, hold * bound, rim, rx, ry)
+            tx, ty = ux + part * rx, uy + part * ry
+            work += 0.5 * ((tx - ux) * (ux + tx) + (ty - uy) * (uy + ty))
+            left *= 1.0 - part
+            ux, uy = tx / hold, ty / hold
+            bound = math.sqrt(ux * ux + uy * uy)
+            if hold > 1.0 and ux * mx + uy * my < fall * bound:
+                continue
+        return work + _slipped(ux, uy, bound, last, left * mx, left * my)
     return work
 
 
-def _slip_onset(u: Array, bound: Array, last: Array, move: Array) -> Array:
-    """Return the part of the travel after which springs reach a circle whose radius goes from `bound` to `last`."""
-    scale = np.maximum(np.maximum(bound, last), np.maximum(np.abs(u).max(axis=1), np.abs(move).max(axis=1)))
-    scale = np.where(scale > 0.0, scale, 1.0)
-    u, move, bound, fall = u / scale[:, None], move / scale[:, None], bound / scale, (last - bound) / scale
-    square = np.sum(move**2, axis=1) - fall**2
-    slope = np.sum(u * move, axis=1) - bound * fall
-    inside = np.sum(u**2, axis=1) - bound**2
-    root = np.sqrt(np.maximum(slope**2 - square * inside, 0.0))
-    top, below = np.where(slope > 0.0, -inside, root - slope), np.where(slope > 0.0, slope + root, square)
-    part = np.divide(top, below, out=np.zeros_like(top), where=below != 0.0)
-    return np.asarray(np.clip(part, 0.0, 1.0))
+@compiled
+def work_in_plane(
+    u: Array,
+    slips: Array,
+    gap: Array,
+    stiffness: Array,
+    bound: Array,
+    reached: Array,
+    hold: float,
+    first: float,
+    last: float,
+    mx: float,
+    my: float,
+) -> float:
+    """Return the work [J] of one straight step on springs that stood at u (2, n), and slipped or not.
 
-
-def _slipped(u: Array, bound: Array, last: Array, move: Array) -> Array:
-    """Return the work on springs that slip on a circle whose radius goes from `bound` to `last`."""
-    travel = np.hypot(*move.T)
-    work: Array = 0.5 * (bound + last) * travel
-    turning = np.flatnonzero((bound > 0.0) & (travel > 0.0))
-    if not turning.size:
-        return work
-    b, end, length = bound[turning], last[turning], travel[turning]
-    cosine = np.clip(np.sum(u[turning] * move[turning], axis=1) / (b * length), -1.0, 1.0)
-    work[turning[cosine == -1.0]] *= -1.0
-    turns = (cosine > -1.0) & (cosine < 1.0)
-    turning, b, end, length, cosine = (each[turns] for each in (turning, b, end, length, cosine))
-    if not turning.size:
-        return work
-    rate, slope, growth = (end - b) / length, (1.0 - cosine) / (1.0 + cosine), (end - b) / b
-    with np.errstate(divide="ignore"):
-        slowed = np.where(growth != 0.0, np.log1p(growth) / np.where(growth != 0.0, growth, 1.0), 1.0)
-    far = length / b * slowed
-    far = np.minimum(far, DECAY_SPAN + 0.5 * np.log1p(slope))
-    parts = int(np.ceil(far.max() / INTERVAL_WIDTH)) or 1
-    nodes = ((np.arange(parts)[:, None] + NODES) / parts).ravel()
-    weights = np.tile(WEIGHTS / parts, parts)
-    y = far[:, None] * nodes
-    square = slope[:, None] * np.exp(-2.0 * y)
-    back = (b[:, None] * np.exp(rate[:, None] * y)) ** 2 * 2.0 * square / (1.0 + square)
-    work[turning] -= far * (back @ weights)
+    Slipping ones are displaced by `bound` (n,) before and by `reached` (n,) after; one that sticks holds on until
+    `hold` times that.  The bodies move by (mx, my), and the depth goes from `first` to `last`.
+    """
+    before, after = np.searchsorted(gap, first), np.searchsorted(gap, last)
+    work = 0.0
+    for i in range(min(before, after)):
+        work += stiffness[i] * _worked(u[0, i], u[1, i], bound[i], reached[i], mx, my, hold, slips[i])
+    for i in range(before, after):
+        travel = math.sqrt(mx * mx + my * my) * ((last - gap[i]) / (last - first))
+        work += 0.5 * stiffness[i] * travel * (reached[i] if travel > hold * reached[i] else travel)
+    for i in range(after, before):
+        share = (first - gap[i]) / (first - last)
+        work += stiffness[i] * _worked(u[0, i], u[1, i], bound[i], 0.0, share * mx, share * my, hold, slips[i])
     return work

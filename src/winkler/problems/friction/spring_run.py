@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import collections
+import functools
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -12,16 +14,14 @@ from winkler.foundation.springs import Springs
 from winkler.laws.friction import Coulomb, StaticKinetic
 from winkler.loading.loads import Depth, Force
 from winkler.loading.path import Path
-from winkler.numerics.springs.slip_kernels import march_line
+from winkler.numerics.springs.slip_history import follow_line, follow_plane
 from winkler.numerics.springs.slip_plane import march_plane
-from winkler.numerics.springs.slip_pull import pull_line
-from winkler.numerics.springs.spring_work import work_on_line, work_on_springs
 from winkler.numerics.types import Array
 from winkler.problems.friction.spring_states import SpringLaw, SpringState
 from winkler.problems.friction.tangential_march import PressedRow, SlipGoal, refuse_shear
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.row import Reached, follow, over
-from winkler.values.errors import InvalidInput, NotConverged
+from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
 __all__ = ["SingleSprings", "SpringPlaces"]
 
@@ -31,14 +31,15 @@ FORCE_TOLERANCE = 1e-12
 """Relative error of a prescribed shear force in the plane."""
 MOST_NEWTON_STEPS = 60
 """Steps of Newton's method."""
-BOUND_TOLERANCE = 1e-9
-"""A spring this close to its bound, in parts of it, slips."""
+BLOCK = 256
+"""Steps that go through a kernel together."""
 
 
 class SpringPlaces(NamedTuple):
     """What springs remember: u_t [m] ``(2, n)``, whether they slip, their depth and the shift of the bodies [m].
 
-    `force` and `stored` are what they bear along the surface [N] ``(2,)`` and store [J].
+    `force` and `stored` are what they bear along the surface [N] ``(2,)`` and store [J]; up to the radius `stuck` [m]
+    none slips, infinity where none does at all.
     """
 
     u: Array
@@ -47,6 +48,7 @@ class SpringPlaces(NamedTuple):
     shift: Array
     force: Array
     stored: float
+    stuck: float
 
 
 class SingleSprings(PressedRow[SpringPlaces]):
@@ -76,10 +78,10 @@ class SingleSprings(PressedRow[SpringPlaces]):
         springs = Springs.of(slipping_springs(bed), widest, count) if widest > 0.0 else Springs(none, none, none, none)
         self.springs = springs
         own = np.where(force > 0.0, springs.depth(force), depth) if springs.gap.size else depth
+        self.own = np.asarray(own, dtype=float)
         self.line, along = not path.in_plane, path.along
-        along = np.column_stack([along, np.zeros(along.size)]) if self.line else along
-        rows = zip(own.tolist(), force.tolist(), along, strict=True)
-        super().__init__(path, [SlipGoal(*row) for row in rows])
+        self.along = np.column_stack([along, np.zeros(along.size)]) if self.line else along
+        super().__init__(path)
         # writable copies: a kernel is compiled anew for arrays of another kind
         self.gap, self.stiffness = springs.gap.copy(), springs.tangential_stiffness
         self.slope, self.hold = np.zeros(springs.gap.size), 1.0
@@ -92,39 +94,56 @@ class SingleSprings(PressedRow[SpringPlaces]):
         # where springs drop to a lesser bound each does so at its own time, and halves never agree
         self.curves = self.hold == 1.0
         self.bends = self.curves and not self.line
-        deepest = self.bound(float(np.max(own)))
+        deepest = self.bound(np.max(self.own))
         self._allow(float(np.sum(self.stiffness[deepest > 0.0])), float(np.max(deepest, initial=0.0)))
+
+    @functools.cached_property
+    def goals(self) -> list[SlipGoal]:
+        """What is prescribed at the points of the path."""
+        return [SlipGoal(*row) for row in zip(self.own.tolist(), self.contact[1].tolist(), self.along, strict=True)]
+
+    def straight(self) -> bool:
+        """Return whether no step is bent by a prescribed force, so that whole blocks of steps go through one kernel."""
+        if self._unbent or not (self.driven or self.plain):
+            return self.driven or self.plain
+        steady, same = np.diff(self.own) == 0.0, np.all(np.diff(self.along, axis=0) == 0.0, axis=1)
+        return bool(np.all(self._straight(steady, same)))
+
+    def fresh(self, depth: float) -> SpringPlaces:
+        """Return springs that are pressed to a depth, and have not been moved."""
+        count, none = self.gap.size, np.zeros(2)
+        return SpringPlaces(np.zeros((2, count)), np.zeros(count, dtype=bool), depth, none, none, 0.0, np.inf)
 
     def begin(self, goal: SlipGoal) -> Reached[SpringPlaces]:
         """Return the springs at the first point, pressed straight down and moved after."""
-        count, none = self.gap.size, np.zeros(2)
-        return self.step(
-            SpringPlaces(np.zeros((2, count)), np.zeros(count, dtype=bool), goal.depth, none, none, 0.0), goal
-        )
+        return self.step(self.fresh(goal.depth), goal)
 
     def step(self, state: SpringPlaces, goal: SlipGoal) -> Reached[SpringPlaces]:
         """Return the springs after a straight step, to a shift or to a shear force."""
-        u, slips, own = state.u.copy(), state.slips.copy(), np.array([state.depth, goal.depth])
-        bounds = np.array([self.bound(depth) for depth in own.tolist()])
-        ends, force, stored, lost = np.array([state.shift, goal.along]), np.zeros((1, 2)), np.zeros(1), np.zeros(1)
+        places, _, _, (_, lost, work, _) = self._march(state, np.array([goal.depth]), goal.along[np.newaxis])
+        return Reached(places, float(work[0]), float(lost[0]))
+
+    def _march(self, state: SpringPlaces, depths: Array, along: Array) -> tuple[SpringPlaces, Array, Array, Array]:
+        """Go straight steps; return where they end, and of each of them shift, shear force, and `sums` of the kernel.
+
+        To shear forces in the plane it is one step.
+        """
+        u, slips, own, size = state.u.copy(), state.slips.copy(), np.append(state.depth, depths), depths.size
+        shift, force, sums = np.vstack([state.shift, along]), np.zeros((size, 2)), np.zeros((4, size))
+        fixed = u, slips, self.gap, self.stiffness
         if self.plain:
-            fixed, shift = (self.gap, self.stiffness, self.slope, own), ends[:, 0].copy()
-            if self.driven:
-                march_line(u[0], *fixed, shift, force[:, 0], stored, lost)
-            elif pull_line(u[0], *fixed, goal.along[:1].copy(), shift, force[:, 0], stored, lost) < 1:
-                self._refuse(goal, bounds[1])
-            ends[:, 0] = shift
+            line, load, target = shift[:, 0].copy(), np.zeros(size), along[: 0 if self.driven else size, 0].copy()
+            done = follow_line(*fixed, self.slope, self.springs.position, own, target, line, load, sums)
+            if done < size:
+                self._refuse(along[done], self.bound(own[done + 1]))
+            shift[:, 0], force[:, 0] = line, load
         else:
+            bounds = self.bound(own)
             if not self.driven:
-                ends[1] = self._found(state, goal, bounds)
-            march_plane(u, slips, self.gap, self.stiffness, bounds, self.hold, own, ends, force, stored, lost)
-        depths, move = (own[0], own[1]), ends[1] - ends[0]
-        if self.plain:
-            worked = work_on_line(state.u[0], self.gap, bounds, depths, move[0])
-        else:
-            worked = work_on_springs(state.u.T, state.slips, self.gap, bounds, self.hold, depths, move)
-        places = SpringPlaces(u, slips, goal.depth, ends[1], force[0], float(stored[0]))
-        return Reached(places, float(self.stiffness @ worked), float(lost[0]))
+                shift[1] = self._found(state, own, along[0], bounds)
+            follow_plane(*fixed, bounds, self.hold, self.springs.position, own, shift, force, sums)
+        places = SpringPlaces(u, slips, float(own[-1]), shift[-1], force[-1], float(sums[0, -1]), float(sums[3, -1]))
+        return places, shift[1:], force, sums
 
     def apart(self, one: Reached[SpringPlaces], two: Reached[SpringPlaces]) -> float:
         """Return by how much displacements and losses differ, over a small part of those on the path."""
@@ -136,9 +155,9 @@ class SingleSprings(PressedRow[SpringPlaces]):
         """Return as `PressedRow.force_at`."""
         return self.springs.force(depth)
 
-    def bound(self, depth: float) -> Array:
-        """Return how far slipping springs are displaced at a depth [m], ``(n,)``; zero out of contact."""
-        pressed, law = np.maximum(depth - self.gap, 0.0), self.law
+    def bound(self, depth: Array) -> Array:
+        """Return how far slipping springs are displaced at depths [m], ``(..., n)``; zero out of contact."""
+        pressed, law = np.maximum(depth[..., np.newaxis] - self.gap, 0.0), self.law
         if isinstance(law, Coulomb | StaticKinetic):
             return np.asarray(self.slope * pressed)
         density = self.springs.density(slipping_springs(self.bed))
@@ -150,20 +169,20 @@ class SingleSprings(PressedRow[SpringPlaces]):
             )
         return np.where(pressed > 0.0, borne / (density * self.springs.mindlin_ratio), 0.0)
 
-    def _refuse(self, goal: SlipGoal, bound: Array) -> None:
-        refuse_shear(float(np.linalg.norm(goal.along)), self.hold * float(self.stiffness @ bound))
+    def _refuse(self, along: Array, bound: Array) -> None:
+        refuse_shear(float(np.linalg.norm(along)), self.hold * float(self.stiffness @ bound))
 
-    def _found(self, state: SpringPlaces, goal: SlipGoal, bounds: Array) -> Array:
+    def _found(self, state: SpringPlaces, own: Array, target: Array, bounds: Array) -> Array:
         """Return the shift in the plane that gives a force, by Broyden's method from the stiffness of stuck springs."""
-        target, start = goal.along, state.shift
+        start = state.shift
         size = float(np.linalg.norm(target))
         if size > self.hold * float(self.stiffness @ bounds[1]) * (1.0 + FORCE_TOLERANCE):
-            self._refuse(goal, bounds[1])
+            self._refuse(target, bounds[1])
         stuck = float(self.stiffness @ (bounds[1] > 0.0))
         if stuck == 0.0:
             return start
         scale = size + float(self.stiffness @ np.hypot(*state.u))
-        own, ends = np.array([state.depth, goal.depth]), np.vstack([start, start])
+        ends = np.vstack([start, start])
         u, slips, pull, rest = state.u.copy(), state.slips.copy(), np.zeros((1, 2)), np.zeros((2, 1))
 
         def short(at: Array) -> Array:
@@ -194,42 +213,60 @@ class SingleSprings(PressedRow[SpringPlaces]):
             f"a shear force of {size:.6g} N is missed by {np.linalg.norm(left):.3g} N; give more points, or a Shift."
         )
 
+    def history(self) -> tuple[dict[str, Array], SpringState]:
+        """Return what the springs are at every point of a straight path, by the name of the quantity, and at the last.
+
+        Raises
+        ------
+        OutsideValidity
+            If friction does not bear a prescribed shear force.
+        """
+        places, parts, size = self.fresh(float(self.own[0])), [], self.own.size
+        try:
+            for start in range(0, size, BLOCK):
+                cut = slice(start, start + BLOCK)
+                places, shift, force, sums = self._march(places, self.own[cut], self.along[cut])
+                parts.append((shift, force, sums.T))
+        except OutsideValidity:
+            collections.deque(follow(self, self.goals), maxlen=0)  # says at which point
+            raise
+        shift, force, sums = (np.concatenate(part) for part in zip(*parts, strict=True))
+        stored, lost, work, stuck = sums.T
+        depth, pressing, radius = self.contact
+        numbers = {
+            "time": self.path.time,
+            "depth": depth,
+            "force": pressing,
+            "radius": radius,
+            "shift": shift[:, 0] if self.line else shift,
+            "shear_force": force[:, 0] if self.line else force,
+            "stick_radius": np.where(np.isinf(stuck), radius, stuck),
+            "work": np.cumsum(work),
+            "stored_energy": stored,
+            "dissipation": np.cumsum(lost),
+        }
+        last = {name: column[-1] for name, column in numbers.items()}
+        return numbers, self._state(places, **last)
+
     def states(self) -> Iterator[SpringState]:
         """Yield the springs as they stand at every point."""
-        depths, forces, radii = (each.tolist() for each in self.contact)
-        columns = zip(self.path.time.tolist(), depths, forces, radii, follow(self, self.goals), strict=True)
-        for time, depth, force, radius, (places, work, lost) in columns:
-            line = self.line
-            yield SpringState(
-                time,
-                depth,
-                force,
-                radius,
-                self.bed,
-                self.springs,
-                float(places.shift[0]) if line else places.shift,
-                float(places.force[0]) if line else places.force,
-                self._stick_radius(radius, places),
-                work,
-                places.stored,
-                lost,
-                places.u[0] if line else places.u.T.copy(),
+        columns = zip(self.path.time.tolist(), *(each.tolist() for each in self.contact), strict=True)
+        for (time, depth, force, radius), (places, work, lost) in zip(columns, follow(self, self.goals), strict=True):
+            line, shift, shear = self.line, places.shift, places.force
+            yield self._state(
+                places,
+                time=time,
+                depth=depth,
+                force=force,
+                radius=radius,
+                shift=shift[0] if line else shift,
+                shear_force=shear[0] if line else shear,
+                stick_radius=radius if np.isinf(places.stuck) else places.stuck,
+                work=work,
+                stored_energy=places.stored,
+                dissipation=lost,
             )
 
-    def _stick_radius(self, radius: float, places: SpringPlaces) -> float:
-        """Return the place from which on springs slip: where what is left to the bound, drawn on, ends."""
-        bound = self.bound(places.depth)
-        size = np.hypot(*places.u)
-        touching = int(np.count_nonzero(bound > 0.0))
-        left = (bound - size)[:touching]
-        slip = places.slips[:touching] if self.hold > 1.0 else left <= BOUND_TOLERANCE * bound[:touching]
-        free = np.flatnonzero(slip)
-        if not free.size:
-            return radius
-        first = int(free[0])
-        if first < 2 or self.hold > 1.0:
-            return float(self.springs.position[first]) if first else 0.0
-        x, slope = self.springs.position, (left[first - 2] - left[first - 1])
-        width = self.gap[first - 1] - self.gap[first - 2]
-        part = left[first - 1] * width / (slope * (self.gap[first] - self.gap[first - 1])) if slope > 0.0 else 1.0
-        return float(x[first - 1] + min(part, 1.0) * (x[first] - x[first - 1]))
+    def _state(self, places: SpringPlaces, **numbers: Any) -> SpringState:
+        displacement = places.u[0] if self.line else places.u.T.copy()
+        return SpringState(bed=self.bed, springs=self.springs, displacement=displacement, **numbers)

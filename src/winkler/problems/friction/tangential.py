@@ -14,7 +14,7 @@ other laws of friction the springs march one by one (`winkler.problems.friction.
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Annotated, ClassVar
 
 import numpy as np
@@ -37,7 +37,7 @@ from winkler.problems.last_cycle import Looped, PathLoop
 from winkler.problems.method import Method
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.stiffness_ratio import alike, refuse_plane, stiffness_ratios
-from winkler.problems.one_load import OfPath
+from winkler.problems.one_load import OfPath, RestoredStates
 from winkler.problems.ring_slip.push_bound import exact_ratio, layers_of_rings, pushed_body
 from winkler.problems.round_march import RoundSlip
 from winkler.problems.viscoelastic.tangential import (
@@ -208,7 +208,11 @@ class Tangential:
                 return
             if self.method is Method.EXACT:
                 exact_ratio("Tangential", bed, widest)
-        yield from SingleSprings("Tangential", self.bed, self.law, self.path, self.count).states()
+        yield from self._row.states()
+
+    @property
+    def _row(self) -> SingleSprings:
+        return SingleSprings("Tangential", self.bed, self.law, self.path, self.count)
 
     def _by_gap(self, contact: IndentationSolution, ratio: float) -> Iterator[TangentialState]:
         """Yield the contact at every point of the path, springs of one gap taken together."""
@@ -239,6 +243,11 @@ class Tangential:
         OutsideValidity, NotConverged
             As `steps`.
         """
+        if not (self.relaxes or self.by_rings) and (self.method is Method.SPRINGS or not self._coulomb_line):
+            row = self._row
+            if row.straight():
+                numbers, last = row.history()
+                return TangentialSolution(problem=self, states=RestoredStates(self, last), **numbers)
         return self.gathered(self.steps())
 
 
@@ -252,13 +261,13 @@ class TangentialSolution(RoundSlip[Array], Looped, Relaxed, OfPath[State]):
         The problem that was solved.
     stick_radius : ndarray, (steps,)
         c [m]: springs within stick; a where all do, zero where the bodies slide or are apart.
-    states : tuple
+    states : sequence
         The states themselves, from which fields are restored.
     """
 
     problem: Tangential
     stick_radius: Array
-    states: tuple[State, ...]
+    states: Sequence[State]
 
     @property
     def nested(self) -> Array:
@@ -289,6 +298,7 @@ class TangentialSolution(RoundSlip[Array], Looped, Relaxed, OfPath[State]):
             by_force = isinstance(problem.path.lateral, ShearForce)
             rings = [state for state in self.states if isinstance(state, PushedState)]
             return (*pushed_notes(problem.bed, problem.law, rings, by_force), *notes)
-        states = [state for state in self.states if not isinstance(state, PushedState | DraggedState)]
+        last = self.states[-1]
+        assert isinstance(last, TangentialState | SpringState)
         kept = self.depth, self.force, self.shear_force, self.radius
-        return (*friction_notes(problem.bed, problem.law, *kept, states), *notes)
+        return (*friction_notes(problem.bed, problem.law, *kept, last), *notes)

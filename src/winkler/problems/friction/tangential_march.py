@@ -56,23 +56,30 @@ class PressedRow(Row[SlipGoal, State]):
     Parameters
     ----------
     path : Path
-    goals : list of SlipGoal
-        Those of its points.
     """
 
     order: int | None = 2
     curves, bends = True, False
     """Whether steps are halved where a prescribed force bends them; whether a shear force bends them in itself."""
 
-    def __init__(self, path: Path, goals: list[SlipGoal]) -> None:
-        self.goals = goals
+    def __init__(self, path: Path) -> None:
+        self.greatest = float(np.max(np.abs(path.along)))
         self.driven, self.pressed = isinstance(path.lateral, Shift), isinstance(path.normal, Depth)
 
     def _allow(self, stiffness: float, most: float) -> None:
         """Set what counts as little, from the stiffness without slip [N/m] and the greatest bound of a spring [m]."""
-        greatest = max(float(np.max(np.abs(goal.along))) for goal in self.goals)
-        size = min(most, greatest if self.driven or stiffness == 0.0 else greatest / stiffness)
+        size = min(most, self.greatest if self.driven or stiffness == 0.0 else self.greatest / stiffness)
         self.allowed = CURVED_STEP_TOLERANCE * size, CURVED_STEP_TOLERANCE * stiffness * size**2
+
+    @property
+    def _unbent(self) -> bool:
+        """Whether no step is ever bent."""
+        return not self.curves or (self.driven and self.pressed)
+
+    def _straight(self, steady: Any, same: Any) -> Any:
+        """Return whether steps are straight, under a steady depth or not, to the same load along the surface or not."""
+        # with no change of shift it does not matter when the depth changes
+        return (steady & (self.driven or not self.bends)) | ((steady | self.driven) & same)
 
     def force_at(self, depth: float) -> float:
         """Return the normal force at a depth [N]."""
@@ -80,13 +87,8 @@ class PressedRow(Row[SlipGoal, State]):
 
     def halfway(self, state: State, start: SlipGoal, goal: SlipGoal) -> SlipGoal | None:
         """Return what is prescribed at the middle of the depths."""
-        if not self.curves or (self.driven and self.pressed):
-            return None
         steady = start.depth == goal.depth
-        # with no change of shift it does not matter when the depth changes
-        if steady and (self.driven or not self.bends):
-            return None
-        if (steady or self.driven) and np.all(start.along == goal.along):
+        if self._unbent or self._straight(steady, np.all(start.along == goal.along)):
             return None
         depth, force, share = 0.5 * (start.depth + goal.depth), start.force, 0.5
         if not (self.pressed or steady):
@@ -141,7 +143,8 @@ class SlipRow(PressedRow[SlipState]):
     def __init__(self, bed: Bed, coefficient: float, ratio: float, path: Path, contact: IndentationSolution) -> None:
         self.coefficient, self.ratio, self.beta = coefficient, ratio, coefficient / ratio
         pressed = (np.atleast_1d(quantity).tolist() for quantity in (contact.depth, contact.force, path.along))
-        super().__init__(path, [SlipGoal(*goal) for goal in zip(*pressed, strict=True)])
+        super().__init__(path)
+        self.goals = [SlipGoal(*goal) for goal in zip(*pressed, strict=True)]
         deepest = max(0.0, *(goal.depth for goal in self.goals))
         self._curves = NormalCurves(bed, deepest if deepest > 0.0 else UNTOUCHED_DEPTH)
         depths = np.atleast_1d(contact.depth)

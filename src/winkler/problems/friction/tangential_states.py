@@ -110,7 +110,7 @@ def friction_notes(
     force: Array,
     shear_force: Array,
     radius: Array,
-    states: Sequence[TangentialState | SpringState],
+    last: TangentialState | SpringState,
 ) -> tuple[Note, ...]:
     """Return how far a sheared contact can be trusted.
 
@@ -120,13 +120,12 @@ def friction_notes(
     law : Coulomb, StaticKinetic or OwnLaw
     depth, force, shear_force, radius : ndarray, (steps,)
         [m], [N], [N], [m]; the shear force also in the plane, ``(steps, 2)``.
-    states : sequence
-        The states of the path.
+    last : TangentialState or SpringState
+        The last state of the path.
     """
     rubbing = _rubbing(law, depth, force, shear_force)
     notes = [*indentation_notes(bed, depth, radius, rubbing), sticking_note(bed.medium, coefficient_of(law))]
     notes += direction_notes(bed)
-    last = states[-1]
     if isinstance(last, SpringState):
         notes += spring_notes(last.springs, law, in_plane=np.ndim(last.shift) == 1)
     else:

@@ -14,6 +14,7 @@ smaller of both is the estimate.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import ClassVar
 
 import numpy as np
@@ -187,7 +188,7 @@ def _losses(march: TangentialSolution, begin: int, r: Array) -> Array:
     return np.asarray(coefficient * pressure * np.sum(np.abs(np.diff(slips, axis=0)), axis=0))
 
 
-def _trapezoids(states: tuple[State, ...], r: Array) -> Array:
+def _trapezoids(states: Sequence[State], r: Array) -> Array:
     """Return the heat per area of the cycle [J/m^2] at distances r, by the trapezoidal rule over its points."""
     total = np.zeros(r.shape)
     before = None
