@@ -202,7 +202,8 @@ def work_in_plane(
     """Return the work [J] of one straight step on springs that stood at u (2, n), and slipped or not.
 
     Slipping ones are displaced by `bound` (n,) before and by `reached` (n,) after; one that sticks holds on until
-    `hold` times that.  The bodies move by (mx, my), and the depth goes from `first` to `last`.
+    `hold` times that.  The bodies move by (mx, my), and the depth goes from `first` to `last`; where it stays, so do
+    the bounds.
     """
     before, after = np.searchsorted(gap, first), np.searchsorted(gap, last)
     work = 0.0
