@@ -244,7 +244,7 @@ def test_sliding_in_the_plane_keeps_account(law):
 def test_a_spring_that_turns_takes_the_work_of_its_path(last, angle, track):
     """By mpmath: tan(theta/2) falls like a power of a bound that goes from 1 m to another one."""
     start, one = np.array([[np.cos(angle)], [np.sin(angle)]]), np.ones(1)
-    result = work_in_plane(start, np.zeros(1, bool), 0.0 * one, one, one, last * one, 1.0, 1.0, 1.0, track, 0.0)
+    result = work_in_plane(start, np.zeros(1, bool), 0.0 * one, one, one, last * one, 1.0, 1.0, last, track, 0.0)
 
     def pull(x):
         bound = 1 + (last - 1) * x / track

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import pickle
 
 import numpy as np
 import pytest
@@ -145,8 +146,17 @@ def test_solve_is_steps_to_the_last_bit(name):
     path = Path(np.arange(600.0), wk.Depth(1.0 + 0.3 * np.sin(np.arange(600) * 0.03)), LATERAL_PATHS[name])
     problem = wk.Tangential(BALL, Coulomb(MU), path, wk.Method.SPRINGS, 60)
     trace, states = problem.solve(), list(problem.steps())
-    for word in ("time", "depth", "force", "radius", "shift", "shear_force", "stored_energy", "dissipation"):
+    for word in (
+        "time", "depth", "force", "radius", "shift", "shear_force", "stick_radius",
+        "work", "stored_energy", "dissipation",
+    ):  # fmt: skip
         np.testing.assert_array_equal(getattr(trace, word), [getattr(state, word) for state in states])
+    # the last state is the end of the last block, the others are restored
+    np.testing.assert_array_equal(trace.states[-1].displacement, states[-1].displacement)
+    assert trace.at(-1) == states[-1]
+    assert trace.at(300) == states[300]
+    assert trace == problem.gathered(states)
+    assert pickle.loads(pickle.dumps(trace)) == trace
 
 
 @settings(max_examples=30, deadline=None)

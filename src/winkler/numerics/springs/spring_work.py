@@ -142,6 +142,50 @@ def _worked(ux: float, uy: float, bound: float, last: float, mx: float, my: floa
 
 
 @compiled
+def _held_row(u: Array, bound: Array, mx: float, my: float, stay: int, each: Array) -> int:
+    """Do what `_worked` does for a whole row with one coefficient and bounds that stay; return how many are odd.
+
+    Those turn by more than the series here, for tangent and logarithm, are made for; they are marked by infinity.
+    """
+    square = mx * mx + my * my
+    length = math.sqrt(square)
+    once = 1.0 / square if square > 0.0 else 0.0
+    ex, ey = mx * length * once, my * length * once
+    odd = 0
+    for i in range(stay):
+        x, y, b = u[0, i], u[1, i], bound[i]
+        tx, ty = x + mx, y + my
+        slip = tx * tx + ty * ty > b * b
+        slope = x * mx + y * my
+        below = slope * slope - square * (x * x + y * y - b * b)
+        part = (math.sqrt(below if below > 0.0 else 0.0) - slope) * once
+        part = part if part > 0.0 else 0.0
+        part = part if slip & (part < 1.0) else 1.0
+        hx, hy = x + part * mx, y + part * my
+        stuck = 0.5 * part * (mx * (x + hx) + my * (y + hy))
+        distance = length * (1.0 - part)
+        inverse = 1.0 / b
+        z = 0.125 * distance * inverse
+        zz = z * z
+        t = z * (945.0 + zz * (105.0 + zz)) / (945.0 + zz * (420.0 + 15.0 * zz))
+        for _ in range(3):
+            t = 2.0 * t / (1.0 + t * t)
+        turn = 0.5 * (1.0 - (hx * ex + hy * ey) * inverse)
+        turn = turn if turn > 0.0 else 0.0
+        back = turn * 2.0 * t / (1.0 + t)
+        v = back / (2.0 - back)
+        w = v * v
+        series = 1.0 / 13.0 + w * (1.0 / 15.0 + w * (1.0 / 17.0 + w * (1.0 / 19.0)))
+        series = 1.0 / 5.0 + w * (1.0 / 7.0 + w * (1.0 / 9.0 + w * (1.0 / 11.0 + w * series)))
+        logarithm = 2.0 * v * (1.0 + w * (1.0 / 3.0 + w * series))
+        plain = (z <= 0.25) & (back <= 0.4) & (b > 0.0)
+        work = stuck + b * (distance - b * logarithm)
+        each[i] = (work if plain else math.inf) if slip else stuck
+        odd += 1 if (slip & (not plain)) else 0
+    return odd
+
+
+@compiled
 def work_in_plane(
     u: Array,
     slips: Array,
@@ -158,12 +202,20 @@ def work_in_plane(
     """Return the work [J] of one straight step on springs that stood at u (2, n), and slipped or not.
 
     Slipping ones are displaced by `bound` (n,) before and by `reached` (n,) after; one that sticks holds on until
-    `hold` times that.  The bodies move by (mx, my), and the depth goes from `first` to `last`.
+    `hold` times that.  The bodies move by (mx, my), and the depth goes from `first` to `last`; where it stays, so do
+    the bounds.
     """
     before, after = np.searchsorted(gap, first), np.searchsorted(gap, last)
     work = 0.0
-    for i in range(min(before, after)):
-        work += stiffness[i] * _worked(u[0, i], u[1, i], bound[i], reached[i], mx, my, hold, slips[i])
+    stay = int(min(before, after))
+    each = np.empty(stay)
+    held = hold == 1.0 and first == last
+    odd = _held_row(u, bound, mx, my, stay, each) if held else stay
+    for i in range(stay if odd > 0 else 0):
+        if not held or each[i] == math.inf:
+            each[i] = _worked(u[0, i], u[1, i], bound[i], reached[i], mx, my, hold, slips[i])
+    for i in range(stay):
+        work += stiffness[i] * each[i]
     for i in range(before, after):
         travel = math.sqrt(mx * mx + my * my) * ((last - gap[i]) / (last - first))
         work += 0.5 * stiffness[i] * travel * (reached[i] if travel > hold * reached[i] else travel)
