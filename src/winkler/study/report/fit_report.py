@@ -119,7 +119,7 @@ def page(outcome: FitOutcome, shown: tuple[ReportFigure, ...] | None = None, *, 
         parts.trust(outcome.validity),
         parts.papers(study.problem),
         _made(outcome),
-        parts.code_section(study, outcome.provenance.source or "fit.toml"),
+        parts.code_section(study, outcome.provenance.source or "study.toml"),
     ]
     return parts.framed(title, outcome.provenance.version, body)
 

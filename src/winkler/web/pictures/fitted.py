@@ -65,7 +65,7 @@ def fit_text(outcome: FitOutcome, text: str) -> AnswerText:
         badge(outcome.validity),
         f"{''.join(answers)}<div class='whole'>{''.join(body)}</div>",
         trust(outcome.validity),
-        papers(outcome.study.problem) + code_section(outcome.study, outcome.provenance.source or "fit.toml"),
+        papers(outcome.study.problem) + code_section(outcome.study, outcome.provenance.source or "study.toml"),
         text,
         count if count > 1 else 0,
         0,
