@@ -20,8 +20,11 @@ from winkler.study.language.reading import read_study
 from winkler.values.checks.field_checks import _hints, checks_of
 from winkler.values.value import _frozen
 
-UNCHECKED = {"IndenterCalibration.references", "JointStiffnessSolution.problem", "NanoindentationSolution.problem"}
-"""Fields of answers that keep the problem, of whatever class it is."""
+UNCHECKED = {
+    *("IndenterCalibration.references", "JointStiffnessSolution.problem", "NanoindentationSolution.problem"),
+    "TangentialSolution.states",
+}
+"""Fields of answers that keep the problem, of whatever class it is, and states that are restored when asked for."""
 
 
 def test_each_field_of_a_public_class_has_a_check_of_its_type():
