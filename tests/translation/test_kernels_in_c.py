@@ -21,8 +21,10 @@ REFUSED = {"rolled", "mapped", "passages", "spread_loads", "surface_points", "_l
            "_angle"}  # fmt: skip
 """Kernels of fields that leave the subset: they sort, or return arrays that they make."""
 UNUSED = {"panel_value", "line_load", "echoed_points", "_folded", "fill_columns", "march", "smallest_balls",
-          "advance_under_forces", "_put", "_curved"}  # fmt: skip
-"""Kernels of fields, of maps, of fits, of shakedown and of paths under forces that no law calls: not compared."""
+          "advance_under_forces", "_put", "_curved", "follow_line", "follow_plane", "_stick_radius", "work_on_line",
+          "_work_on_row", "work_in_plane", "_slipped", "_worked", "_held_row"}  # fmt: skip
+"""Kernels of fields, of maps, of fits, of shakedown, of paths under forces and of whole histories, which no law calls:
+not compared."""
 
 
 @pytest.fixture(scope="module")
