@@ -263,3 +263,21 @@ def test_wide_strips_are_sheared_on_hard_and_soft_layers(contrast):
     found = pushed(bed, wk.LinePath(load, 0.6 * MU * load * np.array([0.0, 1.0, -1.0, 1.0])))
     first, loop = found.dissipation_per_length[1], found.dissipation_per_length[-1] - found.dissipation_per_length[1]
     assert loop == pytest.approx(4.0 * first, rel=1e-9)  # twice over twice the slip, back and forth
+
+
+@pytest.mark.parametrize("swing", [1e-9, 1e-7])
+def test_a_force_that_hardly_varies_is_a_steady_one(swing):
+    """The march divided by zero where the edge rose by rounding alone; turning points that are remembered agree."""
+    medium = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(2100e9, 0.3), 50e-6)], on=wk.Elastic(70e9, 0.3))
+    bed = wk.LayeredLineFoundation(wk.Paraboloid(0.01), medium)
+    shears = 3e4 * np.array([0.0, 0.7, -0.5, 0.3, -0.6, 0.6, 0.0])
+
+    def found(share):
+        path = wk.LinePath(1e5 * (1.0 + share * np.sin(np.arange(7.0))), shears)
+        return wk.LineTangential(bed, wk.Coulomb(0.3), path).solve()
+
+    steady, varied = found(0.0), found(swing)
+    assert varied.dissipation_per_length[-1] == pytest.approx(steady.dissipation_per_length[-1], rel=10.0 * swing)
+    np.testing.assert_allclose(
+        varied.slip_shift, steady.slip_shift, rtol=0.0, atol=10.0 * swing * np.max(np.abs(steady.slip_shift))
+    )

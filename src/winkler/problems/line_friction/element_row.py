@@ -296,7 +296,8 @@ class ElementRow(Row[LineGoal, LineCells]):
         away, ahead = np.abs(self.elements.x[came]), cells.ahead.copy()
         left = np.maximum(away - cells.half_width, 0.0) ** 1.5
         gone = np.maximum(away - cells.half_width_before, 0.0) ** 1.5 - left
-        ahead[came] += cells.last[came] * left / gone
+        # an element at the edge may have no distance left: the edge rose by rounding alone
+        ahead[came] += cells.last[came] * np.divide(left, gone, out=np.zeros_like(left), where=gone > 0.0)
         return ahead
 
     def lost_per_length(self, lost: float) -> float:
