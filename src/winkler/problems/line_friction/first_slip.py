@@ -60,14 +60,14 @@ def first_slip(elements: LineElements, bound: Array) -> FirstSlip | None:
     traction, shift, slips = np.zeros(n), 0.0, right == 0.0
     rows = [(0.0, traction, traction, slips)]
     while not slips.all():
-        sticks, rate, room = np.flatnonzero(~slips), np.zeros(n), np.full(n, np.inf)
+        sticks, rate, margin = np.flatnonzero(~slips), np.zeros(n), np.full(n, np.inf)
         rate[sticks] = np.linalg.solve(own[np.ix_(sticks, sticks)], np.ones(sticks.size))
         grows = rate > 0.0
-        room[grows] = (right - traction)[grows] / rate[grows]
-        step = float(np.min(room))
+        margin[grows] = (right - traction)[grows] / rate[grows]
+        step = float(np.min(margin))
         if not 0.0 < step < np.inf:
             return None
-        slips, shift = slips | (room <= step * (1.0 + ROUNDING)), shift + step
+        slips, shift = slips | (margin <= step * (1.0 + ROUNDING)), shift + step
         traction = np.where(slips, right, traction + step * rate)
         rows.append((shift, traction, np.where(slips, shift - own @ traction, 0.0), slips))
     shifts, *whole = (np.array(each) for each in zip(*rows, strict=True))
