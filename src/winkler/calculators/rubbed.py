@@ -100,11 +100,11 @@ ROLLING = Calculator(
     ),
     (
         AnswerNumber("creepage", "ξ", "creepage", "%", "", "longitudinal_creepage"),
-        AnswerNumber("shear_force", "Q", "force per length along the way", "N/mm", "N/m", "shear_force_per_length"),
+        AnswerNumber("shear_force", "Q", "force per length along the surface", "N/mm", "N/m", "shear_force_per_length"),
         AnswerNumber("stick_share", "c/a", "part of the width that sticks", "", "", "stick_share"),
         metres("half_width", "a", "half-width of the contact", "contact.half_width"),
         AnswerNumber("peak_pressure", "p_0", "greatest pressure", "MPa", "Pa", "contact.peak_pressure"),
-        AnswerNumber("loss", "W'", "loss per way and length", "J/m^2", "J/m^2", "loss_per_area"),
+        AnswerNumber("loss", "W'", "loss per distance and length", "J/m^2", "J/m^2", "loss_per_area"),
     ),
     "share", "creepage",
     f"A cylinder in plane strain (Carter) that rolls steadily on a flat. {BETWEEN_ALIKE}.",

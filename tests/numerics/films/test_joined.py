@@ -1,4 +1,4 @@
-"""Islands across seams, ways through, and the narrowest place of the widest way by another route."""
+"""Islands across seams, paths through, and the narrowest place of the widest path by another route."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import heapq
 import numpy as np
 import pytest
 
-from winkler.numerics.films.joined import islands, through, widest_way
+from winkler.numerics.films.joined import islands, through, widest_path
 
 
 def by_flooding(where, wraps, corners):
@@ -47,7 +47,7 @@ def test_islands_by_flooding(wraps, corners):
 
 
 def by_dijkstra(gap, wraps):
-    """The greatest smallest width of all ways, by the widest place first."""
+    """The greatest smallest width of all paths, by the widest place first."""
     nx, ny = gap.shape
     best = np.zeros(gap.shape)
     heap = [(-gap[0, j], 0, j) for j in range(ny) if gap[0, j] > 0.0]
@@ -67,10 +67,10 @@ def by_dijkstra(gap, wraps):
 
 
 @pytest.mark.parametrize("wraps", [False, True])
-def test_the_widest_way(wraps):
+def test_the_widest_path(wraps):
     for seed in range(6):
         gap = np.maximum(np.random.default_rng(seed).random((17, 14)) - 0.3, 0.0)
-        found = widest_way(gap, wraps=wraps)
+        found = widest_path(gap, wraps=wraps)
         assert found.gap == by_dijkstra(gap, wraps)
         if found.gap > 0.0:
             assert gap[found.place] == found.gap
@@ -82,5 +82,5 @@ def test_the_widest_way(wraps):
 def test_no_way():
     gap = np.ones((6, 5))
     gap[3] = 0.0
-    assert widest_way(gap, wraps=True) == (0.0, (-1, -1))
+    assert widest_path(gap, wraps=True) == (0.0, (-1, -1))
     assert not through(gap > 0.0, wraps=True).any()

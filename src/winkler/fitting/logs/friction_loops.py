@@ -1,7 +1,7 @@
 r"""Measured loops of friction: coefficient of friction, stiffness of the contact, loss and slip.
 
-With the shear force :math:`f(s)` of the contact on its first way, and a compliance :math:`C` in series, the drive is at
-:math:`x = s + C f(s)`.  On the way back from a turning point all differences are doubled (Masing),
+The first loading of the contact has the shear force :math:`f(s)`; this is the backbone curve.  With a compliance
+:math:`C` in series, the drive is at :math:`x = s + C f(s)`.  Behind a turning point all differences double (Masing),
 
 .. math:: F = F_t \mp 2 f(s), \quad \tfrac12|x - x_t| = s + C f(s), \quad f(s) = \mu\,g(s/\mu) ,
 
@@ -100,7 +100,6 @@ class FrictionLoops:
     >>> from winkler.profiles.flat import FlatPunch
     >>> bed = Foundation(FlatPunch(1e-3), HalfSpace(Elastic(young=210e9, poisson=0.3)))
     >>> drive = 5e-6 * np.sin(np.linspace(-0.5 * np.pi, 6.5 * np.pi, 1401))
-    >>> way = np.gradient(drive)
     >>> force = np.zeros(1401)
     >>> for at in range(1, 1401):  # a spring of 50 N/um that slides at 30 N
     ...     force[at] = np.clip(force[at - 1] + 50e6 * (drive[at] - drive[at - 1]), -30.0, 30.0)
@@ -124,9 +123,9 @@ class FrictionLoops:
     needs_round: ClassVar[str] = ""
 
     @property
-    def curve(self) -> FirstWay:
-        """The shear force of the contact on its first way, with a coefficient of one."""
-        return _first_way(self.bed, self.normal)
+    def curve(self) -> BackboneCurve:
+        """The shear force of the contact under its first loading, with a coefficient of friction of one."""
+        return _backbone(self.bed, self.normal)
 
     def solve(self) -> FrictionLoopsSolution:
         """Return what the loops say of friction, stiffness, loss and slip.
@@ -181,8 +180,8 @@ class FrictionLoops:
         )
 
 
-class FirstWay:
-    """The first way of the contact of a coefficient of one, and fits of cycles by it."""
+class BackboneCurve:
+    """The shear force under first loading, with a coefficient of friction of one, and fits of cycles by it."""
 
     def __init__(self, bed: Bed, normal: Any) -> None:
         """Follow the contact up to sliding."""
@@ -199,13 +198,13 @@ class FirstWay:
         self.shear = np.asarray(swing.shear_force)
 
     def branch(self, numbers: Array, half: Array) -> Array:
-        """Return the shear force [N] where the drive is at half the way from a turning point."""
+        """Return the shear force [N] at half of the distance of the drive from a turning point."""
         coefficient, series = float(numbers[0]), float(numbers[1])
         reduced: Array = np.interp(half / coefficient, self.shift + series * self.shear, self.shear)
         return coefficient * reduced
 
     def sliding(self, numbers: Array, stroke: float) -> float:
-        """Return the way of the contact from end to end [m], less what yields in series."""
+        """Return the peak-to-peak displacement of the contact [m]: of the drive, less the compliance in series."""
         end = float(self.branch(numbers, np.array([0.5 * stroke]))[0])
         return float(stroke - 2.0 * numbers[1] * end)
 
@@ -265,8 +264,8 @@ class FirstWay:
 
 
 @functools.lru_cache(maxsize=16)
-def _first_way(bed: Bed, normal: Any) -> FirstWay:
-    return FirstWay(bed, normal)
+def _backbone(bed: Bed, normal: Any) -> BackboneCurve:
+    return BackboneCurve(bed, normal)
 
 
 def _together(loops: list[Loop], place: int) -> Estimate:
@@ -299,7 +298,7 @@ class FrictionLoopsSolution:
     loss_per_cycle, loss_error : float
         Area of the loop [J].
     contact_stroke : float
-        Way of the bodies along each other from end to end [m], with what they yield.
+        Peak-to-peak displacement of one body along the other [m], elastic displacement of the contact included.
     misfit : float
         Residuals over the amplitude of the force [-], root of the mean square.
     freedom : float
@@ -318,7 +317,7 @@ class FrictionLoopsSolution:
         series_compliance_error=("", "m/N", "standard error of that compliance"),
         loss_per_cycle=("W", "J", "mean area of the loops"),
         loss_error=("", "J", "standard error of the loss"),
-        contact_stroke=("", "m", "way of the bodies along each other from end to end"),
+        contact_stroke=("", "m", "peak-to-peak displacement of one body along the other"),
         misfit=("", "", "residuals over the amplitude of the force"),
         freedom=("", "", "independent rows behind the errors"),
         fitted=("", "", "number of fitted cycles"),
@@ -352,12 +351,12 @@ class FrictionLoopsSolution:
         found = curve.fitted(log, len(log.cycles) - 1)
         if found is None:
             return np.zeros(0), np.zeros(0)
-        way = np.linspace(0.0, 1.0, 101)
+        part = np.linspace(0.0, 1.0, 101)
         stroke = float(log.displacement[high] - log.displacement[low])
         top = float(curve.branch(found.numbers, np.array([0.5 * stroke]))[0])
-        up = 2.0 * curve.branch(found.numbers, 0.5 * stroke * way) - top
+        up = 2.0 * curve.branch(found.numbers, 0.5 * stroke * part) - top
         middle = found.middle
-        there = log.displacement[low] + stroke * way
+        there = log.displacement[low] + stroke * part
         return np.concatenate([there, there[::-1]]), middle + np.concatenate([up, -up])
 
     @property

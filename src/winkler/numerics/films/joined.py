@@ -1,4 +1,4 @@
-"""What is joined on a grid: islands, ways from one side to the other, and the narrowest place of the widest way."""
+"""What is joined on a grid: islands, paths from one side to the other, and the narrowest place of the widest path."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["WidestWay", "islands", "through", "widest_way"]
+__all__ = ["WidestPath", "islands", "through", "widest_path"]
 
 
-class WidestWay(NamedTuple):
-    """The way through a film whose narrowest place is as wide as possible.
+class WidestPath(NamedTuple):
+    """The path through a film whose narrowest place is as wide as possible.
 
     Parameters
     ----------
     gap
-        Width of its narrowest place; zero if no way leads through.
+        Width of its narrowest place; zero if no path leads through.
     place
         Pixel of that place; (-1, -1) if there is none.
     """
@@ -85,8 +85,8 @@ def through(where: Array, *, wraps: bool) -> Array:
     return np.asarray(spans[labels])
 
 
-def widest_way(gap: Array, *, wraps: bool) -> WidestWay:
-    """Return the way from the first to the last row whose narrowest place is as wide as possible.
+def widest_path(gap: Array, *, wraps: bool) -> WidestPath:
+    """Return the path from the first to the last row whose narrowest place is as wide as possible.
 
     Parameters
     ----------
@@ -104,7 +104,7 @@ def widest_way(gap: Array, *, wraps: bool) -> WidestWay:
         else:
             high = middle
     if low < 0:
-        return WidestWay(0.0, (-1, -1))
+        return WidestPath(0.0, (-1, -1))
     width = widths[low]
     place = np.argwhere((gap == width) & through(gap >= width, wraps=wraps))[0]
-    return WidestWay(float(width), (int(place[0]), int(place[1])))
+    return WidestPath(float(width), (int(place[0]), int(place[1])))

@@ -114,8 +114,8 @@ def _film_panels(item: SealSolution, film: FilmPassage) -> tuple[Panel, Panel]:
     gap = gap_of(state.pressure, state.separation)
     relief = map_panel(rough, series("separation", np.where(gap > 0.0, gap, np.nan)), style.SHADES, label="gap $h$")
     relief = relief.plus(*_arrows(film.flow.along, film.flow.across, rough.pixel))
-    if film.way.gap > 0.0:
-        x, y = ((np.array([place + 0.5])) * one for place, one in zip(film.way.place, rough.pixel, strict=True))
+    if film.path.gap > 0.0:
+        x, y = ((np.array([place + 0.5])) * one for place, one in zip(film.path.place, rough.pixel, strict=True))
         relief = relief.plus(Line(x, y, style.RED, width=0.0, marker="o", size=9.0, hollow=True, order=9.0))
     fluid = series("pressure", item.problem.pressure_drop * film.flow.pressure)
     return relief, map_panel(rough, fluid, style.SHADES, label="pressure of the fluid")

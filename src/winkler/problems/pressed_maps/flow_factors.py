@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.numerics.films.joined import widest_way
+from winkler.numerics.films.joined import widest_path
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.pressed_maps.seal_states import passage
 from winkler.profiles.rough.topography import Topography
@@ -30,13 +30,13 @@ class FlowFactors:
     separation : ndarray, (n,)
         Distances of the mean planes h [m].
     flow_factor, lateral_flow_factor : ndarray, (n,)
-        Patir and Cheng's pressure flow factors along x and y [-]; zero where no way leads through.
+        Patir and Cheng's pressure flow factors along x and y [-]; zero where no path leads through.
     mean_gap : ndarray, (n,)
         Mean width of the film [m], with zero where summits overlap.
     overlap_share : ndarray, (n,)
         Part of the map where they do [-].
     closing_separation, lateral_closing_separation : float
-        Distance h [m] at which the last way along x and y closes: the percolation threshold of the map.
+        Distance h [m] at which the last path along x and y closes: the percolation threshold of the map.
     """
 
     __words__ = words(
@@ -44,8 +44,8 @@ class FlowFactors:
         flow_factor=(r"\phi_x", "", "flow along x over that between smooth planes at the same distance"),
         lateral_flow_factor=(r"\phi_y", "", "flow along y over that between smooth planes at the same distance"),
         overlap_share=("", "", "part of the map where summits overlap"),
-        closing_separation=("h_c", "m", "distance of the mean planes at which the last way along x closes"),
-        lateral_closing_separation=("h_{c,y}", "m", "distance of the mean planes at which the last way along y closes"),
+        closing_separation=("h_c", "m", "distance of the mean planes where the last path along x closes"),
+        lateral_closing_separation=("h_{c,y}", "m", "distance of the mean planes where the last path along y closes"),
     )
 
     separation: Array
@@ -113,5 +113,5 @@ def flow_factors(surface: Topography, separations: ArrayLike) -> FlowFactors:
     top = float(np.max(z))
     deep = top - z
     along, across, mean, share = (np.asarray(column) for column in np.array(rows).reshape(-1, 4).T)
-    closed, closed_across = (top - widest_way(width, wraps=surface.periodic).gap for width in (deep, deep.T))
+    closed, closed_across = (top - widest_path(width, wraps=surface.periodic).gap for width in (deep, deep.T))
     return FlowFactors(distances, along, across, mean, share, closed, closed_across)

@@ -134,8 +134,8 @@ class Seal(PerLoad[Q]):
             column([leak * x.medium for x, _ in rows]),
             column([factor_of(x) for x, _ in rows]),
             column([factor_of(y) for _, y in rows]),
-            column([x.way.gap for x, _ in rows]),
-            column([y.way.gap for _, y in rows]),
+            column([x.path.gap for x, _ in rows]),
+            column([y.path.gap for _, y in rows]),
             column([max(x.flow.imbalance, y.flow.imbalance) for x, y in rows]),
         )  # fmt: skip
 
@@ -159,7 +159,7 @@ class SealSolution(PerLoad[Q]):
     area_error : float or ndarray
         Greatest difference among the area and those on the four maps of every second point [m^2].
     leak_rate : float or ndarray
-        Volume per time that flows along x through the whole map [m^3/s]; zero where no way leads through.
+        Volume per time that flows along x through the whole map [m^3/s]; zero where no path leads through.
     leak_rate_error : float or ndarray
         Greatest difference among it and those on the four maps of every second point [m^3/s].
     lateral_leak_rate : float or ndarray
@@ -169,7 +169,7 @@ class SealSolution(PerLoad[Q]):
     flow_factor, lateral_flow_factor : float or ndarray
         Flow along x and y over that of a film of the mean gap everywhere (Patir and Cheng).
     critical_gap, lateral_critical_gap : float or ndarray
-        Narrowest place of the widest way along x and y [m]; zero where no way leads through.
+        Narrowest place of the widest path along x and y [m]; zero where no path leads through.
     imbalance : float or ndarray
         Difference of the flows in and out over their mean, the greater of both directions.
     """
@@ -198,7 +198,7 @@ class SealSolution(PerLoad[Q]):
     imbalance: Q
 
     def closing_share(self) -> tuple[float, float]:
-        """Return between which shares of the map in contact the last way along x closes: the percolation threshold.
+        """Return between which shares of the map in contact the last path along x closes: the percolation threshold.
 
         The greatest share under which some fluid leaks, zero if none does, and the least under which none does, one if
         it always does.
@@ -208,7 +208,7 @@ class SealSolution(PerLoad[Q]):
         return float(np.max(shares[leaks], initial=0.0)), float(np.min(shares[~leaks], initial=1.0))
 
     def last_passage(self, *, lateral: bool = False) -> FilmPassage:
-        """Return the film under the last load along x, or y: its flow per pressure over 12 viscosities, its way."""
+        """Return the film under the last load along x, or y: its flow per pressure over 12 viscosities, its path."""
         state = self.contact.last
         return _passage(gap_of(state.pressure, state.separation), self.problem.contact, lateral)
 
@@ -301,8 +301,8 @@ def seal_notes(
             Note(
                 Assumption.RESOLUTION,
                 Standing.APPROXIMATE,
-                f"Under {int(np.count_nonzero(~open_loads))} of {leak.size} loads no way of pixels leads through; ways "
-                "narrower than a pixel are not seen.",
+                f"Under {int(np.count_nonzero(~open_loads))} of {leak.size} loads no path of pixels leads "
+                "through; paths narrower than a pixel are not seen.",
                 DAPP,
             )
         )

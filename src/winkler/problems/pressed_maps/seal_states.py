@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.numerics.films.effective_medium import effective_conductance
-from winkler.numerics.films.joined import WidestWay, widest_way
+from winkler.numerics.films.joined import WidestPath, widest_path
 from winkler.numerics.films.thin_film import FilmFlow, film_flow
 from winkler.numerics.types import Array
 from winkler.profiles.rough.topography import Topography
@@ -22,8 +22,8 @@ class FilmPassage(NamedTuple):
     ----------
     flow
         Per pressure difference over 12 times the viscosity [m^3].
-    way
-        The widest way and its narrowest place.
+    path
+        The widest path and its narrowest place.
     even
         The same flow of a film of the mean gap everywhere [m^3].
     medium
@@ -31,7 +31,7 @@ class FilmPassage(NamedTuple):
     """
 
     flow: FilmFlow
-    way: WidestWay
+    path: WidestPath
     even: float
     medium: float
 
@@ -63,15 +63,15 @@ def passage(gap: Array, rough: Topography, *, lateral: bool = False) -> FilmPass
         width, pixel, lengths = gap.T, pixel[::-1], lengths[::-1]
     unit = float(np.max(width))
     if unit == 0.0:
-        return FilmPassage(film_flow(width, pixel, wraps=rough.periodic), WidestWay(0.0, (-1, -1)), 0.0, 0.0)
+        return FilmPassage(film_flow(width, pixel, wraps=rough.periodic), WidestPath(0.0, (-1, -1)), 0.0, 0.0)
     conductance = (width / unit) ** 3  # of any unit of length
     flow = film_flow(conductance, pixel, wraps=rough.periodic)
     cube = unit**3
     flow = flow._replace(rate=cube * flow.rate, along=cube * flow.along, across=cube * flow.across)
     across = lengths[1] / lengths[0]
-    way = widest_way(width, wraps=rough.periodic)
+    path = widest_path(width, wraps=rough.periodic)
     if lateral:
-        way = WidestWay(way.gap, (way.place[1], way.place[0]))
+        path = WidestPath(path.gap, (path.place[1], path.place[0]))
         flow = flow._replace(pressure=flow.pressure.T, along=flow.across.T, across=flow.along.T)
     even = across * float(np.mean(width)) ** 3
-    return FilmPassage(flow, way, even, across * cube * effective_conductance(conductance))
+    return FilmPassage(flow, path, even, across * cube * effective_conductance(conductance))

@@ -239,13 +239,13 @@ def steady_history(springs: Plays, values: Sequence[float], by_load: bool) -> Tu
     rows = zip(stretches, *(each.tolist() for each in (ends[:, 1], curves.load, curves.front, *gains)), strict=True)
     motion, load, front, work, lost = np.zeros((5, count)).tolist()
     here, done = (0.0, 0.0, springs.rim), 0
-    for (point, turn, fold, sign, _, _), end, bears, reaches, way, work_gain, loss_gain in rows:
+    for (point, turn, fold, sign, _, _), end, bears, reaches, moved, work_gain, loss_gain in rows:
         for each in range(done, point):
             motion[each], load[each], front[each] = here
         done = point
         at, borne = (motion[turn], load[turn]) if fold == 2 else (0.0, 0.0)
         here = at + sign * fold * end, borne + sign * fold * bears, reaches
-        work[point] += 0.5 * (sign * fold * way * borne + fold**2 * work_gain)
+        work[point] += 0.5 * (sign * fold * moved * borne + fold**2 * work_gain)
         lost[point] += fold * loss_gain
     for each in range(done, count):
         motion[each], load[each], front[each] = here

@@ -53,11 +53,11 @@ TORQUE = Equation("The torque is their moment", r"M_z = 2\int_0^a x\,q(x)\,\math
 TANGENTIAL_FORCE = Equation("Their sum is the force along the surface", r"F_x = 2\int_0^a c_T\,u_t\,\mathrm{d}x")
 LOSS = Equation("What is lost in a closed cycle is the work of that force", r"W = \oint F_x\,\mathrm{d}u_x")
 MASING = Equation(
-    "Behind a turning point ways and forces are doubled; a compliance C lies in series (after Masing)",
+    "Behind a turning point displacements and forces double; a compliance C lies in series (after Masing)",
     r"|F_x-F_t| = 2f(s), \quad |x-x_t| = 2s + 2C\,f(s)",
 )
 SLIDING_SCALE = Equation(
-    "The first way of the contact scales with the coefficient of friction",
+    "Shear force and shift of the first loading both scale with the coefficient of friction",
     r"f(s) = \mu\,g\left(\frac{s}{\mu}\right)",
 )
 COMMON_OSCILLATION = Equation(

@@ -63,8 +63,8 @@ SURFACES: dict[str, Word] = {
     "medium_leak_rate": Word("Q_e", "m^3/s", "leak rate along x by Bruggeman's effective medium"),
     "flow_factor": Word(r"\phi_x", "", "flow along x over that of the mean gap"),
     "lateral_flow_factor": Word(r"\phi_y", "", "flow along y over that of the mean gap"),
-    "critical_gap": Word("h_c", "m", "narrowest place of the widest way along x"),
-    "lateral_critical_gap": Word("h_{c,y}", "m", "narrowest place of the widest way along y"),
+    "critical_gap": Word("h_c", "m", "narrowest place of the widest path along x"),
+    "lateral_critical_gap": Word("h_{c,y}", "m", "narrowest place of the widest path along y"),
     # line contacts and rollers
     "force_per_length": Word("P", "N/m", "normal force per length of a line contact, compression positive"),
     "half_width": Word("a", "m", "half-width of a line contact"),
