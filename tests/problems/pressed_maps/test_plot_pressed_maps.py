@@ -29,7 +29,7 @@ def test_a_seal():
     ]
     relief, fluid = picture.axes[:2]
     gap = np.ma.filled(relief.images[0].get_array(), np.nan)
-    place = found.last_passage().way.place
+    place = found.last_passage().path.place
     assert gap.T[place] == pytest.approx(1e6 * found.critical_gap[1])
     (mark,) = (line for line in relief.lines if len(line.get_xdata()) == 1)
     assert relief.get_title(loc="left").endswith("ring: narrowest")
