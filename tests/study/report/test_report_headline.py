@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import astuple
 
 import numpy as np
 import pytest
@@ -11,6 +12,8 @@ import tomli_w
 
 import winkler as wk
 from winkler.study.batch.run import run
+from winkler.study.chapters.contents import answer_of
+from winkler.study.language.catalogue import CATALOGUE
 from winkler.study.language.explain import example_study
 from winkler.study.language.reading import parse_study
 from winkler.study.report.headline.advice import ADVICE, worst_doubt
@@ -129,6 +132,39 @@ def test_the_advice_names_the_load_that_the_size_allows():
     assert load == pytest.approx(limit, rel=0.01)
     assert load <= limit
     assert doubt_of(ball()).statement == ""
+
+
+STRONG = {"kind": "elastic", "young": "210 GPa", "poisson": 0.3, "strength": "700 MPa"}
+COATED = {
+    "kind": "coated_half_space",
+    "layers": [{"kind": "layer", "solid": STRONG, "thickness": "5 um"}],
+    "on": STRONG,
+}
+HEAVY = {
+    "indentation": {"problem__load": {"kind": "force", "force": "20 kN"}},
+    "line_indentation": {"problem__load": {"kind": "line_force", "force_per_length": "20 kN/mm"}},
+    "impact": {},
+}
+
+
+@pytest.mark.parametrize("kind", HEAVY)
+def test_beyond_the_onset_of_yield_the_advice_names_the_kind_that_goes_on(kind):
+    """That kind solves the same question; on layers, which it does not take, the advice is another."""
+    outcome = solved(kind, **HEAVY[kind], problem__bed__medium={"kind": "half_space", "first": STRONG})
+    further = answer_of(outcome.study.problem).beyond
+    advice = f"What to do: solve it as {further}, which follows the metal beyond its elastic limit."
+    assert doubt_of(outcome).advice == advice
+    problem, followed = outcome.study.problem, CATALOGUE["problem"][further].cls
+    if kind == "impact":
+        same = followed(problem.bed, problem.mass, problem.velocity)
+    else:
+        same = followed(problem.bed, type(problem.load)(np.ravel(*astuple(problem.load))))
+    assert np.all(same.solve().residual_depth > 0.0)
+    layers = {"kind": "layered_line_foundation"} if kind == "line_indentation" else {}
+    coated = solved(
+        kind, **HEAVY[kind], problem__bed={**example_study(kind)["problem"]["bed"], **layers, "medium": COATED}
+    )
+    assert doubt_of(coated).advice == f"What to do: {ADVICE[Assumption.ELASTIC]}."
 
 
 def test_what_is_good_to_a_per_cent_or_more_says_why():

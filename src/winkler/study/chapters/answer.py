@@ -110,6 +110,8 @@ class Answer(NamedTuple):
         Sought number -> clause of the headline that answers the question: ``{name}`` stands for an answer with its
         unit, ``{name:%}`` for it in per cent, ``{name:size}`` without its sign, ``{name:below}`` for a depth.
         ``{contact_share}`` is the contact area over that of the height map.  Of the others the number is named.
+    beyond
+        The kind that takes the same bodies and goes on where a metal yields; empty without one.
     live
         Whether the panels of the picture take milliseconds, so that the app draws them at each move of a slider.
     """
@@ -127,6 +129,7 @@ class Answer(NamedTuple):
     verdict: str = ""
     event: str = ""
     says: Mapping[str, str] = MappingProxyType({})
+    beyond: str = ""
     live: bool = False
 
 
@@ -146,6 +149,7 @@ def answer(
     verdict: str = "",
     event: str = "",
     says: Mapping[str, str] = MappingProxyType({}),
+    beyond: str = "",
     live: bool = False,
     **example: Any,
 ) -> Answer:
@@ -169,6 +173,7 @@ def answer(
         verdict,
         event,
         says,
+        beyond,
         live,
     )
 

@@ -37,6 +37,7 @@ IMPACT = Chapter(
             de="stoss aufprall stosszahl kontaktzeit prallen springen rückprall kollision schlag fallversuch abprallen restitutionskoeffizient kontaktdauer springt die kugel kugel springt hagel billard fällt fallende herunterfallen",
             fr="bille rebondit sur une plaque choc impact rebond coefficient de restitution collision temps de contact chute percussion coefficient de restitution d'une bille durée de contact percussion billard grêle",
             headline=("restitution", "duration", "dissipation"),
+            beyond="plastic_impact",
             says={"restitution": "the body leaves with {restitution} of its normal speed, after {duration}"},
             mass="33 g",
             velocity="1 m/s",

@@ -234,6 +234,7 @@ NORMAL = Chapter(
             de="abplattung einer kugel auf einer platte einfedern einsinken gewicht hertzsche pressung kontakt flächenpressung eindringtiefe kugel auf ebene kontaktradius kontaktfläche steifigkeit wie tief dringt die spitze ein druck anpressen eindrücken punktkontakt abplattung annäherung zwei kugeln abplattung eindrückung federsteifigkeit des kontakts kugel zwischen platten messkraft taster abflachung gewölbte körper messkraftabplattung kontaktradius kugel",
             fr="contact de hertz pression bille sur plan enfoncement profondeur d'indentation rayon de contact raideur aire jusqu'où pénètre la pointe écrasement appui ponctuel raideur d'un contact bille plan deux billes empreinte élastique palpeur",
             headline=("depth", "force", "radius", "peak_pressure"),
+            beyond="plastic_indentation",
             says={
                 "depth": "the body sinks in by {depth}, on a contact of {radius} radius",
                 "force": "it takes {force} to press the body in, on a contact of {radius} radius",

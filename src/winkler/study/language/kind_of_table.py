@@ -15,7 +15,9 @@ __all__ = ["either_file_or", "refuse_kind", "value_text"]
 def refuse_kind(raw: Any, allowed: tuple[str, ...]) -> NoReturn:
     """Raise why `raw` is not a table of one of the `allowed` kinds."""
     if not isinstance(raw, Mapping):
-        wrong(f'{WHERE} is {value_text(raw)}, not a table; write it as {{ kind = "{allowed[0]}", ... }}.')
+        named = next((kind for kind in allowed if kind.startswith("named_")), None) if isinstance(raw, str) else None
+        table = f'kind = "{named}", name = "{raw}"' if named else f'kind = "{allowed[0]}", ...'
+        wrong(f"{WHERE} is {value_text(raw)}, not a table; write it as {{ {table} }}.")
     if "kind" not in raw:
         add = f"one of {listed('', allowed)}" if len(allowed) > 1 else f'as kind = "{allowed[0]}"'
         wrong(f"{WHERE} has no kind; add kind, {add}.")

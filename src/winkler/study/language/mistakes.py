@@ -110,6 +110,9 @@ def _kindless(key: str) -> bool:
 def _unknown(key: str, name: str, table: Any, owner: Any) -> str:
     allowed = _allowed(key, table)
     where = f"{table['kind']}" if owner is not None else _parent(key)
+    if name in ("material", "name") and (by_name := f"named_{where}") in kinds():
+        content = value_text(table[name]).strip("'")
+        return f'{key} is not known; a material by its name is {{ kind = "{by_name}", name = "{content}" }}.'
     return f"{key} is not known{suggest(name, allowed)}; {where} takes {', '.join(allowed)}."
 
 

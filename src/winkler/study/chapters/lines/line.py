@@ -246,6 +246,7 @@ LINE = Chapter(
             de="flächenpressung zylinder linienkontakt linienberührung walze rolle zylinder auf ebene zahnrad zahnflanke zahnräder rollenlager nadellager wälzpressung nocken stempel welle abplattung zweier zylinder kurvenrolle stössel nockenfolger brückenlager auflagerolle wälzpressung stribecksche wälzkontakt rolle auf schiene kettenrolle bolzen in bohrung kegelrollenlager keil",
             fr="deux cylindres parallèles surface de contact contact linéique cylindre sur plan galet rouleau denture engrenage dent came roulement à rouleaux roulement à aiguilles arbre écrasement de deux cylindres pression superficielle galet came poussoir axe dans un alésage denture rouleau sur plan coin axe de piston",
             headline=("peak_pressure", "half_width", "force_per_length", "mean_pressure"),
+            beyond="line_plastic_indentation",
             says={"peak_pressure": "the peak pressure is {peak_pressure}, on a contact of {half_width} half-width"},
             bed=ROLLER,
             picture=Caption(

@@ -2,27 +2,33 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 import re
+from typing import Any
 
 import numpy as np
 
+from winkler.media.halfspace import HomogeneousMedium
 from winkler.study.batch.outcome import Outcome
 from winkler.study.chapters.contents import answer_of
+from winkler.study.language.catalogue import CATALOGUE
 from winkler.study.report.figure import capital
-from winkler.study.report.headline.advice import Doubt, worst_doubt
+from winkler.study.report.headline.advice import ADVICE, Doubt, worst_doubt
 from winkler.study.report.headline.declared import WORDS, numbers_of_contact
 from winkler.study.report.headline.elastic_state import ElasticState, elastic_state
 from winkler.study.report.headline.numbers import SoughtNumber, as_share, sought_numbers
 from winkler.study.report.headline.shown_contact import shown_contact, shown_point
 from winkler.study.report.markup import badge, safe, with_fixed_units
 from winkler.study.report.mathml import symbol
+from winkler.values.errors import WinklerError
 from winkler.values.readable import with_readable_numbers, with_unit
-from winkler.values.validity import Standing
+from winkler.values.validity import Assumption, Standing
 
 __all__ = ["doubt_line", "doubt_of", "headline", "headline_section"]
 
 VON_MISES = r"\sigma_{vM}"
+YIELDED = f"What to do: {ADVICE[Assumption.ELASTIC]}."
 
 
 def headline_section(outcome: Outcome) -> str:
@@ -113,7 +119,29 @@ def doubt_of(outcome: Outcome) -> Doubt:
     outcome
         Outcome of a study.
     """
-    return worst_doubt(outcome.validity, None if outcome.study.sweep else shown_contact(shown_point(outcome)))
+    point = shown_point(outcome)
+    doubt = worst_doubt(outcome.validity, None if outcome.study.sweep else shown_contact(point))
+    if doubt.advice != YIELDED or not (further := _followed_beyond_yield(point.problem)):
+        return doubt
+    return doubt._replace(
+        advice=f"What to do: solve it as {further}, which follows the metal beyond its elastic limit."
+    )
+
+
+def _followed_beyond_yield(problem: Any) -> str:
+    """Return the kind that answers the same question where a metal yields; empty where none takes these bodies."""
+    name = answer_of(problem).beyond
+    if not name or not isinstance(problem.bed.medium, HomogeneousMedium):  # dents in layers are not followed
+        return ""
+    further = CATALOGUE["problem"][name].cls
+    given = {field.name: getattr(problem, field.name, None) for field in dataclasses.fields(further)}
+    if "path" in given:
+        given["path"] = type(problem.load)(np.ravel(*dataclasses.astuple(problem.load)))
+    try:
+        further(**{name: part for name, part in given.items() if part is not None})
+    except WinklerError:
+        return ""
+    return name
 
 
 def doubt_line(doubt: Doubt) -> str:
