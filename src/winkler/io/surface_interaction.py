@@ -27,9 +27,9 @@ import numpy as np
 from winkler.io.whole_file import write_whole_text
 from winkler.laws.friction import Coulomb
 from winkler.media.conduction.conductors import HeatConductors
+from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.problems.conduction.stiffness_analogy import conductance_of_stiffness
-from winkler.problems.rough.mapped_medium import homogeneous
 from winkler.problems.rough.surface_contact import SurfaceContactSolution
 from winkler.values.errors import InvalidInput, OutsideValidity
 
@@ -114,7 +114,12 @@ def _lines(
     length_unit: str,
 ) -> list[str]:
     owner = "write_surface_interaction"
-    medium = homogeneous(owner, "the closure", contact.problem.medium)
+    medium = contact.problem.medium
+    if not isinstance(medium, HomogeneousMedium):
+        raise OutsideValidity(
+            f"{owner}: the closure of a height map on a {type(medium).__name__} is not known to winkler, pressures, "
+            "gaps and stiffness are; give a HalfSpace."
+        )
     closure, pressure, stiffness = _rows(contact)
     scale, units = UNITS[length_unit]
     lines = [

@@ -54,7 +54,7 @@ def test_stresses_in_layers_are_those_of_matrix_exponentials(contrast):
     h, poisson = 0.05, 0.2
     layers = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(contrast, poisson), h)], on=wk.Elastic(1.0, 0.3))
     _, fine = pressed_ellipse(SLENDER, layers, wk.Force(1e-4 * contrast**0.5), 64)
-    inside = MapInLayers(layers, fine.pressure, fine.pixel)
+    inside = MapInLayers(layers, np.multiply.outer([1.0, 0.0, 0.0], fine.pressure), fine.pixel)
     nodes, weights = np.polynomial.legendre.leggauss(24)
     b = float(fine.y[-1])
     edges = np.concatenate([[0.0], np.geomspace(0.02, 40.0, 14)]) / b

@@ -143,4 +143,4 @@ def test_layers_say_what_they_leave_out():
     assert "Both are left out (Goodman)" in text
     assert f"losses up to {100.0 * joint.loss_error:.2g} % of the greatest" in text
     with pytest.raises(OutsideValidity, match="the stress below the surface of a height map on a CoatedHalfSpace"):
-        joint.loop.greatest_stress()
+        joint.loop.stresses(0.0, 0.0, 0.1)

@@ -1,10 +1,13 @@
 """The greatest stress of a kind below a map of loads, and its place.
 
-Depths are searched from half a pixel down, each on means over pixels that are small against it; from the best places
-the greatest is climbed to.  Stresses on the surface are those in the middles of the pixels.
+Depths are searched from half a pixel down, each on means over pixels that are small against it.  Of a map that stands
+alone the greatest is climbed to from the best places; of a periodic one, and in layers, depths are tried and a parabola
+leads from pixel to pixel.  Stresses on the surface are those in the middles of the pixels.
 """
 
 from __future__ import annotations
+
+from collections.abc import Callable
 
 import numpy as np
 
@@ -14,7 +17,7 @@ from winkler.media.interior.periodic_map_field import PeriodicMapField
 from winkler.media.interior.tensor import Measure, Tensor, von_mises
 from winkler.numerics.types import Array
 
-__all__ = ["greatest_below_map"]
+__all__ = ["greatest_below_map", "greatest_by_depth", "greatest_over_depth", "loaded_span"]
 
 SHALLOWEST = 0.5
 """Smallest depth below the surface that is searched, in pixels; nearer to it the steps between pixels show."""
@@ -32,6 +35,8 @@ NEAR_BEST = 0.97
 """Stress over the greatest of the search above which a place is climbed from."""
 FIRST_STEP, LAST_STEP = 0.3, 0.02
 """Sides of the simplexes with which climbs begin, over the depth."""
+DEPTH_TOLERANCE, MOST_DEPTHS = 5e-3, 6
+"""Of the depth of a greatest stress below the upper face, and how many depths are tried for it."""
 PLACE_TOLERANCE, VALUE_TOLERANCE = 1e-4, 1e-9
 """To which part of the depth the place is found, and to which part of itself the stress."""
 
@@ -46,13 +51,12 @@ def greatest_below_map(field: MapField | PeriodicMapField, measure: Measure = vo
     measure
         Of which kind; von Mises' unless given.
     """
-    loaded = np.any(field.loads != 0.0, axis=0)
-    sides = [np.flatnonzero(loaded.any(axis=axis)) for axis in (1, 0)]
-    spans = [(part[-1] - part[0] + 1) * size for part, size in zip(sides, field.pixel, strict=True)]
-    pixel = max(field.pixel)
-    depths = [SHALLOWEST * pixel]
-    while depths[-1] < DEEPEST * max(spans):
+    least, deepest = SHALLOWEST * max(field.pixel), DEEPEST * loaded_span(field.loads, field.pixel)
+    depths = [least]
+    while depths[-1] < deepest:
         depths.append(DEPTH_STEP * depths[-1])
+    if isinstance(field, PeriodicMapField):
+        return greatest_by_depth(lambda z: (field.at_depth(z)[:6], field.pixel), np.array([0.0, *depths]), 0.0, measure)
     surface = _best_at(field, 0.0, measure)
     found = sorted(
         (_best_at(_on_means(field, z, MEANS_PER_DEPTH), z, measure) for z in depths), key=lambda spot: -spot.value
@@ -64,27 +68,93 @@ def greatest_below_map(field: MapField | PeriodicMapField, measure: Measure = vo
             starts.append(spot)
     if surface.value * NEAR_BEST > found[0].value:
         return surface
-    least = SHALLOWEST * pixel
     tops = [_climbed(_on_means(field, spot.z, MEANS_PER_CLIMB), spot, least, FIRST_STEP, measure) for spot in starts]
     best = max(tops, key=lambda spot: spot.value)
     return max(surface, _climbed(field, best, least, LAST_STEP, measure), key=lambda spot: spot.value)
 
 
-def _on_means(field: MapField | PeriodicMapField, z: float, per_depth: float) -> MapField | PeriodicMapField:
-    """Return the map on pixels as large as the depth allows; a periodic one as it is."""
+def loaded_span(loads: Array, pixel: tuple[float, float]) -> float:
+    """Return the longer side of the loaded part of a map, loads (3, nx, ny)."""
+    loaded = np.any(loads != 0.0, axis=0)
+    sides = [np.flatnonzero(loaded.any(axis=axis)) for axis in (1, 0)]
+    return max(float(part[-1] - part[0] + 1) * size for part, size in zip(sides, pixel, strict=True))
+
+
+def greatest_by_depth(
+    stresses: Callable[[float], tuple[Array, tuple[float, float]]], depths: Array, top: float, measure: Measure
+) -> StressSpot:
+    """Return the greatest stress of a kind and its place, from stresses in the middles of all pixels at some depths.
+
+    Parameters
+    ----------
+    stresses : Callable
+        Depth to stresses (6, nx, ny), and the size of a pixel.
+    depths : ndarray, (n,)
+        First ones, ascending.
+    top : float
+        Depth of the upper face of what is searched.
+    measure
+        Of which kind.
+    """
+    found: dict[float, StressSpot] = {}
+
+    def level(z: float) -> float:
+        if z not in found:
+            rows, (dx, dy) = stresses(z)
+            stress = measure(Tensor(*rows))
+            i, j = (int(part) for part in np.unravel_index(int(np.argmax(stress)), stress.shape))
+            value, moved = float(stress[i, j]), [0.0, 0.0]
+            if z >= SHALLOWEST * max(dx, dy):  # nearer to the surface the steps between pixels show
+                beside = np.arange(-1, 2)
+                for axis, row in enumerate(
+                    (stress[:, j].take(i + beside, mode="wrap"), stress[i].take(j + beside, mode="wrap"))
+                ):
+                    bent = row[0] - 2.0 * row[1] + row[2]
+                    if bent < 0.0:
+                        moved[axis] = float(0.5 * (row[0] - row[2]) / bent)
+                        value -= float((row[0] - row[2]) ** 2 / (8.0 * bent))
+            found[z] = StressSpot(value, (i + 0.5 + moved[0]) * dx, (j + 0.5 + moved[1]) * dy, z)
+        return found[z].value
+
+    greatest_over_depth(level, depths, top)
+    return max(found.values(), key=lambda spot: spot.value)
+
+
+def greatest_over_depth(level: Callable[[float], float], depths: Array, top: float) -> None:
+    """Ask a stress at some depths, and at others between the neighbours of the best of them.
+
+    Parameters
+    ----------
+    level : Callable
+        Depth to stress; it keeps what it has found.
+    depths : ndarray, (n,)
+        Ascending.
+    top : float
+        Depth of the upper face of what is searched.
+    """
+    from scipy.optimize import minimize_scalar
+
+    best = int(np.argmax([level(float(z)) for z in depths]))
+    ends = float(depths[max(best - 1, 0)]), float(depths[min(best + 1, depths.size - 1)])
+    minimize_scalar(
+        lambda z: -level(float(z)), bounds=ends, method="bounded",
+        options={"xatol": DEPTH_TOLERANCE * (ends[1] - top), "maxiter": MOST_DEPTHS},
+    )  # fmt: skip
+
+
+def _on_means(field: MapField, z: float, per_depth: float) -> MapField:
+    """Return the map on pixels as large as the depth allows."""
     times = int(z / (per_depth * max(field.pixel)))
-    return field.coarsened(times) if isinstance(field, MapField) and times > 1 else field
+    return field.coarsened(times) if times > 1 else field
 
 
-def _best_at(field: MapField | PeriodicMapField, z: float, measure: Measure) -> StressSpot:
+def _best_at(field: MapField, z: float, measure: Measure) -> StressSpot:
     stress = measure(Tensor(*field.at_depth(z)[:6]))
     i, j = np.unravel_index(int(np.argmax(stress)), stress.shape)
     return StressSpot(float(stress[i, j]), (float(i) + 0.5) * field.pixel[0], (float(j) + 0.5) * field.pixel[1], z)
 
 
-def _climbed(
-    field: MapField | PeriodicMapField, start: StressSpot, shallowest: float, side: float, measure: Measure
-) -> StressSpot:
+def _climbed(field: MapField, start: StressSpot, shallowest: float, side: float, measure: Measure) -> StressSpot:
     """Return the greatest stress near a place, by the simplex of Nelder and Mead in units of its depth."""
     from scipy.optimize import minimize
 

@@ -69,7 +69,7 @@ def pair_notes(
 
 
 def yield_of_patches(medium: MappedMedium, loads: list[SurfaceLoad], together: bool) -> tuple[Note, ...]:
-    """Return whether the bodies stay elastic below the worst of some patches; not known in layers.
+    """Return whether the bodies stay elastic below the worst of some patches.
 
     Parameters
     ----------
@@ -80,8 +80,6 @@ def yield_of_patches(medium: MappedMedium, loads: list[SurfaceLoad], together: b
     together
         Whether patches lie near each other.
     """
-    if not isinstance(medium, HomogeneousMedium):
-        return unknown_yield(medium, "the stresses below the patches are not computed in layers")
     worst = max(loads, key=lambda load: greatest_share(medium, load)) if len(loads) > 1 else loads[0]
     alone = map_yield_notes(medium, worst)
     if alone and alone[0].standing is not Standing.OUTSIDE and together:

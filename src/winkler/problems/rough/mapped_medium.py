@@ -1,42 +1,18 @@
-"""What a height map assumes of the medium that it is pressed into, and what is not known of layers."""
+"""What a height map assumes of the medium that it is pressed into."""
 
 from __future__ import annotations
 
-from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.mapped import MappedMedium, layers_of
 from winkler.numerics.types import Quantity
 from winkler.problems.pressed_shape.notes import PIXELS_ON_LAYERS, SULLIVAN, graded_notes
 from winkler.problems.rough.surface_notes import surface_notes
 from winkler.profiles.rough.topography import Topography
-from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["homogeneous", "medium_notes"]
+__all__ = ["medium_notes"]
 
 FOLLOWED_SHARE = 0.01
 """Part of the displacement under a wave of sixteen pixels that may be wrong without a word."""
-
-
-def homogeneous(owner: str, what: str, medium: MappedMedium) -> HomogeneousMedium:
-    """Return the medium, or refuse layers.
-
-    Parameters
-    ----------
-    owner, what : str
-        Who refuses, and what is not known in layers.
-    medium : HomogeneousMedium, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
-
-    Raises
-    ------
-    OutsideValidity
-        If it is not homogeneous.
-    """
-    if not isinstance(medium, HomogeneousMedium):
-        raise OutsideValidity(
-            f"{owner}: {what} of a height map on a {type(medium).__name__} is not known to winkler, pressures, gaps "
-            "and stiffness are; give a HalfSpace."
-        )
-    return medium
 
 
 def medium_notes(

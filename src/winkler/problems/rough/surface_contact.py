@@ -26,7 +26,6 @@ import numpy as np
 
 from winkler.loading.loads import Depth, Force
 from winkler.loading.path import numbers_of
-from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.mapped import MappedMedium, layers_of
 from winkler.numerics.arrays import given, library_of, to_numpy
 from winkler.numerics.pixels.contact_area import contact_area
@@ -37,7 +36,7 @@ from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.pressed_shape.force_at_yield import force_at_yield
 from winkler.problems.rough.map_memory import refuse_too_large, state_memory
-from winkler.problems.rough.mapped_medium import homogeneous, medium_notes
+from winkler.problems.rough.mapped_medium import medium_notes
 from winkler.problems.rough.surface_notes import border_notes
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.problems.subsurface.below_surface import BelowSurface
@@ -332,8 +331,8 @@ class SurfaceContactSolution(BelowSurface, PerLoad[Q]):
         return SurfaceLoad(self.last.pressure, rough.lengths, periodic=rough.periodic)
 
     @property
-    def _medium(self) -> HomogeneousMedium:
-        return homogeneous("SurfaceContactSolution", "the stress below the surface", self.problem.medium)
+    def _medium(self) -> MappedMedium:
+        return self.problem.medium
 
     def yield_force(self) -> float:
         """Return the force [N] under which yielding begins, by contacts under other forces; infinite without strength.
@@ -342,12 +341,8 @@ class SurfaceContactSolution(BelowSurface, PerLoad[Q]):
         ------
         NotConverged
             If a contact or the force is not found.
-        OutsideValidity
-            If the bodies have layers.
         """
-        medium = self._medium
-
-        given = self.problem
+        given, medium = self.problem, self._medium
 
         def share(force: float) -> float:
             pressed = SurfaceContact(given.topography, given.medium, Force(force), tolerance=given.tolerance)
@@ -372,11 +367,8 @@ class SurfaceContactSolution(BelowSurface, PerLoad[Q]):
 
 
 def last_load_notes(medium: MappedMedium, load: SurfaceLoad) -> tuple[Note, ...]:
-    """Return what the border bears, and whether bodies stay elastic; of layers with a strength, that it is unknown."""
-    border = border_notes(load.pressure, load.periodic)
-    if isinstance(medium, HomogeneousMedium):
-        return (*border, *map_yield_notes(medium, load))
-    return (*border, *unknown_yield(medium, "the stresses below a height map are not computed in layers"))
+    """Return what the border bears, and whether bodies stay elastic."""
+    return (*border_notes(load.pressure, load.periodic), *map_yield_notes(medium, load))
 
 
 def check_loads(rough: Topography, load: Force | Depth, hardness: float, compressible: bool) -> None:

@@ -8,16 +8,19 @@ import numpy as np
 
 from winkler.foundation.sheared_fields import BodyFields
 from winkler.materials.elastic import Elastic
+from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.interior.map_peak import greatest_below_map
 from winkler.media.interior.peak import StressSpot
+from winkler.media.offers import LayerStack, offers
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.normal.elliptic_fields import solid_below
+from winkler.problems.normal.strong_parts import StrongPart, solid_parts
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.problems.which_body import in_first_body
 from winkler.values.checks.place_checks import common_places, finite_places
-from winkler.values.errors import InvalidInput
+from winkler.values.errors import InvalidInput, OutsideValidity
 
-__all__ = ["BelowSurface", "fields_at", "fields_at_depth", "fields_on_plane", "greatest_stress"]
+__all__ = ["BelowSurface", "fields_at", "fields_at_depth", "fields_on_plane", "greatest_in_parts", "greatest_stress"]
 
 
 def fields_at(load: SurfaceLoad, solid: Elastic, places: tuple[Array, Array, Array]) -> BodyFields:
@@ -52,8 +55,35 @@ def _scaled(places: tuple[Array, Array, Array], found: Array, solid: Elastic) ->
 
 
 def greatest_stress(load: SurfaceLoad, solid: Elastic) -> StressSpot:
-    """Return the greatest von Mises stress [Pa] and its place [m], z >= 0."""
-    spot = greatest_below_map(load.field(solid.poisson))
+    """Return the greatest von Mises stress [Pa] in a half-space and its place [m], z >= 0."""
+    return _placed(greatest_below_map(load.field(solid.poisson)), load)
+
+
+def greatest_in_parts(load: SurfaceLoad, medium: object, parts: tuple[StrongPart, ...]) -> list[StressSpot]:
+    """Return the greatest von Mises stress [Pa] in each part of the bodies and its place [m], z into its body.
+
+    Parameters
+    ----------
+    load : SurfaceLoad
+        What acts on the first body.
+    medium
+        Homogeneous bodies, layers, or a grading, whose parts these are.
+    parts : tuple of StrongPart
+    """
+    if not offers(medium, LayerStack):
+        return [greatest_stress(load if part.first else load.reversed(), part.solid) for part in parts]
+    from winkler.media.layered.map_interior import MapInLayers, greatest_in_layer  # loaded with layers
+
+    inside = MapInLayers(medium, load.loads, load.pixel, periodic=load.periodic)
+    return [
+        _placed(greatest_in_layer(inside, part.top, part.bottom), load)
+        if part.first
+        else greatest_stress(load.reversed(), part.solid)
+        for part in parts
+    ]
+
+
+def _placed(spot: StressSpot, load: SurfaceLoad) -> StressSpot:
     return spot._replace(x=spot.x + float(load.corner[0]), y=spot.y + float(load.corner[1]))
 
 
@@ -70,8 +100,13 @@ class BelowSurface:
         raise NotImplementedError
 
     def _on_body(self, below: bool) -> tuple[SurfaceLoad, Elastic]:
-        load = self.surface_load
-        return (load if below else load.reversed()), solid_below(self._medium, below)
+        load, medium = self.surface_load, self._medium
+        if not isinstance(medium, HomogeneousMedium):
+            raise OutsideValidity(
+                f"{type(self).__name__}: the stress below the surface of a height map on a {type(medium).__name__} is "
+                "not known at each place, greatest_stress() of layers is; give a HalfSpace."
+            )
+        return (load if below else load.reversed()), solid_below(medium, below)
 
     def stresses(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> BodyFields:
         """Return stresses and displacements inside one body.
@@ -154,11 +189,16 @@ class BelowSurface:
         Raises
         ------
         OutsideValidity
-            If the body is rigid or not isotropic.
+            If the body is rigid, graded or not isotropic.
 
         Notes
         -----
-        The surface is examined in the middles of the pixels, and depths from half a pixel on: a greatest stress on the
-        surface, at the edge of a contact that slides, changes with the pixels.
+        In layers it is the greatest of all isotropic ones, in the middles of pixels.  The surface is examined in the
+        middles of the pixels, and depths from half a pixel on: a greatest stress on the surface, at the edge of a
+        contact that slides, changes with the pixels.
         """
-        return greatest_stress(*self._on_body(below))
+        medium = self._medium
+        parts = tuple(part for part in solid_parts(medium) if part.first == below)
+        if not (parts and offers(medium, LayerStack)):
+            return greatest_stress(*self._on_body(below))
+        return max(greatest_in_parts(self.surface_load, medium, parts), key=lambda spot: spot.value)

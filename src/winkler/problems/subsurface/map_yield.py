@@ -6,7 +6,7 @@ from winkler.media.interior.peak import StressSpot
 from winkler.numerics.types import Array
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.normal.yield_statement import share_of
-from winkler.problems.subsurface.below_surface import greatest_stress
+from winkler.problems.subsurface.below_surface import greatest_in_parts
 from winkler.problems.subsurface.loaded_history import LoadedMap
 from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.values.validity import Assumption, Note, Standing
@@ -18,11 +18,9 @@ MISES = "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582; A. E. H. Love, d
 
 def _shares(medium: object, load: SurfaceLoad) -> list[tuple[float, StressSpot, StrongPart]]:
     """Return the greatest stress over the strength of each part that has one."""
-    found = []
-    for part in strong_parts(medium):
-        spot = greatest_stress(load if part.first else load.reversed(), part.solid)
-        found.append((spot.value / part.solid.strength, spot, part))
-    return found
+    parts = strong_parts(medium)
+    spots = greatest_in_parts(load, medium, parts)
+    return [(spot.value / part.solid.strength, spot, part) for spot, part in zip(spots, parts, strict=True)]
 
 
 def greatest_share(medium: object, load: SurfaceLoad) -> float:
@@ -36,7 +34,7 @@ def map_yield_notes(medium: object, load: SurfaceLoad, when: str = "") -> tuple[
     Parameters
     ----------
     medium
-        A homogeneous one.
+        Homogeneous bodies, layers, or a grading.
     load : SurfaceLoad
         What acts on the first body.
     when : str, optional
@@ -70,7 +68,7 @@ def history_yield_notes(
     Parameters
     ----------
     medium
-        A homogeneous one.
+        Homogeneous bodies, layers, or a grading.
     lengths : ndarray, (2,)
         Of the map [m].
     heaviest : tuple of LoadedMap

@@ -16,7 +16,6 @@ import numpy as np
 from winkler.laws.varying_friction import Slipped
 from winkler.loading.loads import Angle, Depth, ShearForce, Torque
 from winkler.loading.path import Path, numbers_of
-from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.mapped import MappedMedium
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium, relaxes
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
@@ -24,9 +23,7 @@ from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import BALANCED, MAPPED
 from winkler.problems.last_cycle import Looped, PathLoop
-from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.rough.compliance import compliance_of
-from winkler.problems.rough.mapped_medium import homogeneous
 from winkler.problems.subsurface.last_map import LastMap
 from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
 from winkler.problems.subsurface.traction_frames import TractionFrame
@@ -261,14 +258,13 @@ class SurfaceTangentialSolution(MapSlip[Array], Looped, LastMap):
         return self.shear_force[:, 1]
 
     @property
-    def _medium(self) -> HomogeneousMedium:
-        who = "SurfaceTangentialSolution"
+    def _medium(self) -> MappedMedium:
         if relaxes(self.problem.medium):
             raise OutsideValidity(
-                f"{who}: displacements and stresses below a height map on bodies that relax are not known to winkler, "
-                "its pressures and tractions are; give an elastic medium."
+                "SurfaceTangentialSolution: displacements and stresses below a height map on bodies that relax are not "
+                "known to winkler, its pressures and tractions are; give an elastic medium."
             )
-        return homogeneous(who, "the stress below the surface", self.problem._course[0])
+        return self.problem._course[0]
 
     @property
     def _loop(self) -> PathLoop:
@@ -305,10 +301,8 @@ class SurfaceTangentialSolution(MapSlip[Array], Looped, LastMap):
         stated, touched = self.problem, self.area > 0.0
         if relaxes(stated.medium):
             yielded = relaxing_map_notes(stated.medium, self.time)
-        elif isinstance(stated.medium, HomogeneousMedium):
-            yielded = self._yield_notes(self.time.size)
         else:
-            yielded = unknown_yield(stated.medium, "the stresses below a height map are not computed in layers")
+            yielded = self._yield_notes(self.time.size)
         blurred = float(np.max(self.area_error[touched] / self.area[touched], initial=0.0))
         notes = surface_shear_notes(
             stated.topography, stated._course[0], stated.law, blurred, self.force,

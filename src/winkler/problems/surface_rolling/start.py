@@ -24,13 +24,13 @@ from winkler.numerics.surfaces.sheared_surface import RigidStep, ShearedSurface,
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.rough.compliance import compliance_of
+from winkler.problems.subsurface.last_map import LastMap
 from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
 from winkler.problems.subsurface.traction_frames import TractionFrame
 from winkler.problems.surface_friction.borne import refuse_beyond
 from winkler.problems.surface_rolling.creep_force import OneRollingDrive, given_of
 from winkler.problems.surface_rolling.notes import surface_rolling_notes
 from winkler.problems.surface_rolling.patch import RollingPatch, refuse_map, rolling_patch
-from winkler.problems.surface_rolling.rolled_map import RolledMap
 from winkler.problems.surface_rolling.small_creep import greatest_slip, small_creep_note
 from winkler.problems.surface_rolling.state import MapRollingStart, SurfaceRollingStartState
 from winkler.profiles.rough.topography import Topography
@@ -192,7 +192,7 @@ class SurfaceRollingStart:
 
 
 @value
-class SurfaceRollingStartSolution(MapRollingStart[Array], RolledMap):
+class SurfaceRollingStartSolution(MapRollingStart[Array], LastMap):
     """The solution of a `SurfaceRollingStart`, pixel by pixel; its numbers are those of `MapRollingStart`.
 
     Parameters

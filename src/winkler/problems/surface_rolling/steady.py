@@ -26,13 +26,13 @@ from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.rolling.creepage import Creepage
 from winkler.problems.rolling.speed import idle_speed_notes, refuse_rest
 from winkler.problems.rough.compliance import compliance_of
+from winkler.problems.subsurface.last_map import LastMap
 from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
 from winkler.problems.subsurface.traction_frames import TractionFrame
 from winkler.problems.surface_rolling.creep_force import ONE_PUSH, CreepForce, first_of, given_of
 from winkler.problems.surface_rolling.creepages import CreepSearch, CreptPatch
 from winkler.problems.surface_rolling.notes import surface_rolling_notes
 from winkler.problems.surface_rolling.patch import RollingPatch, refuse_map, rolling_patch
-from winkler.problems.surface_rolling.rolled_map import RolledMap
 from winkler.problems.surface_rolling.small_creep import greatest_slip, small_creep_note
 from winkler.problems.surface_rolling.state import MapRolling, SurfaceRollingState
 from winkler.profiles.rough.topography import Topography
@@ -209,7 +209,7 @@ def _stated(given: Array, by_force: Array) -> str:
 
 
 @value
-class SurfaceRollingSolution(MapRolling[Q], RolledMap):
+class SurfaceRollingSolution(MapRolling[Q], LastMap):
     """The solution of a `SurfaceRolling`; its numbers are those of `MapRolling`, of the shape of what was prescribed.
 
     Parameters

@@ -8,7 +8,7 @@ import numpy as np
 
 from winkler.loading.loads import Force
 from winkler.media.interior.map_field import MapField
-from winkler.media.interior.map_peak import greatest_below_map
+from winkler.media.interior.map_peak import greatest_below_map, greatest_over_depth
 from winkler.media.interior.peak import StressSpot
 from winkler.media.interior.tensor import Measure, Tensor, von_mises
 from winkler.media.layered.map_interior import MapInLayers
@@ -32,7 +32,6 @@ DEEPEST = 3.0
 DEPTHS = 8
 NEAR = 1.25
 """Ratio of depths about the one found under another force, within which the greatest stress is sought first."""
-DEPTH_TOLERANCE, MOST_DEPTHS = 5e-3, 6
 STRESS_ERROR = 5e-4
 """Of sums over waves, over the greatest stress, measured on equal layers and against the round engine;"""
 PIXEL_SAFETY = 2.0
@@ -117,7 +116,7 @@ class EllipseInLayers:
     def at_depth(self, force: float, z: float, measure: Measure) -> float:
         """Return the greatest stress of a kind [Pa] at a depth z >= 0 [m] in the first body, on the coarse map."""
         self._map(force, True)
-        return self._level(z, measure, True)[0]
+        return self._level(z, measure, True).value
 
     def _map(self, force: float, coarse: bool) -> PressedMap:
         """Return the pressures under a force, and keep them with the stresses below them until another is given."""
@@ -131,15 +130,18 @@ class EllipseInLayers:
         if coarse not in self.inside:
             (both,) = self.kept.values()
             pressed = both[0 if coarse else 1]
-            p = pressed.pressure
-            even = 0.25 * (p + p[::-1] + p[:, ::-1] + p[::-1, ::-1])
-            self.inside[coarse] = MapInLayers(self.medium, even, pressed.pixel)  # type: ignore[arg-type]
+            loads = np.multiply.outer([1.0, *self.traction], pressed.pressure)
+            self.inside[coarse] = MapInLayers(self.medium, loads, pressed.pixel)  # type: ignore[arg-type]
         return self.inside[coarse]
 
-    def _level(self, z: float, measure: Measure, coarse: bool) -> tuple[float, float, float]:
+    def _level(self, z: float, measure: Measure, coarse: bool) -> StressSpot:
+        below = self._below(coarse)
         if (coarse, z) not in self.levels:  # each kind of stress is one number of the same six
-            self.levels[coarse, z] = self._below(coarse).stresses(z, self.traction)
-        return self._below(coarse).greatest(Tensor(*self.levels[coarse, z]), measure)
+            self.levels[coarse, z] = below.stresses(z)
+        level = measure(Tensor(*self.levels[coarse, z]))
+        i, j = np.unravel_index(int(np.argmax(level)), level.shape)
+        (dx, dy), (wide, long) = below.pixel, below.sides
+        return StressSpot(float(level[i, j]), (float(i) + 0.5) * dx - 0.5 * wide, (float(j) + 0.5) * dy - 0.5 * long, z)
 
     def _pressed(self, force: float) -> tuple[PressedMap, PressedMap]:
         medium, load = self.medium, Force(force)
@@ -153,33 +155,23 @@ class EllipseInLayers:
 
     def _in_layer(self, coarse: bool, part: StrongPart, measure: Measure, near: float) -> StressSpot:
         """Return the greatest stress between two depths, near one of them or on all of the span."""
-        from scipy.optimize import minimize_scalar
-
         top = np.nextafter(part.top, math.inf) if part.top > 0.0 else 0.0
-        found: dict[float, tuple[float, float, float]] = {}
+        found: dict[float, StressSpot] = {}
 
         def level(z: float) -> float:
             if z not in found:
                 found[z] = self._level(z, measure, coarse)
-            return found[z][0]
+            return found[z].value
 
-        wide = math.hypot(min(self._below(coarse).sides), part.top)
+        wide = math.hypot(0.5 * min(self._below(coarse).sides), part.top)
         lower = min(part.bottom, part.top + DEEPEST * wide)
         if near > 0.0:
             depths = np.unique(np.clip([near / NEAR, near, near * NEAR], top, lower))
+            best = int(np.argmax([level(float(z)) for z in depths]))
+            if not 0 < best < depths.size - 1 and depths[best] not in (top, lower):
+                return self._in_layer(coarse, part, measure, 0.0)
         else:
             deep = part.top + (lower - part.top) * np.geomspace(0.01, 1.0, DEPTHS)
             depths = np.unique(np.clip(np.concatenate([[top, part.top + 0.5 * (lower - part.top)], deep]), top, lower))
-        levels = [level(float(z)) for z in depths]
-        best = int(np.argmax(levels))
-        inner = 0 < best < depths.size - 1
-        if near > 0.0 and not inner and depths[best] not in (top, lower):
-            return self._in_layer(coarse, part, measure, 0.0)
-        ends = depths[max(best - 1, 0)], depths[min(best + 1, depths.size - 1)]
-        minimize_scalar(
-            lambda z: -level(float(z)), bounds=ends, method="bounded",
-            options={"xatol": DEPTH_TOLERANCE * (ends[1] - part.top), "maxiter": MOST_DEPTHS},
-        )  # fmt: skip
-        z = max(found, key=lambda each: found[each][0])
-        value, x, y = found[z]
-        return StressSpot(value, x, y, z)
+        greatest_over_depth(level, depths, part.top)
+        return max(found.values(), key=lambda spot: spot.value)
