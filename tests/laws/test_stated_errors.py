@@ -162,6 +162,7 @@ NOTES = {
         2,
         "distances from the exact theory in a table, which its tests recompute",
     ),
+    "problems.rough.mapped_medium": (1, MODELS),
     "problems.rough.reduce": (1, "the misfit at contacts between those it is made of, tested in test_reduce"),
     "problems.surface_current.notes": (1, MODELS),
     "problems.surface_friction.joint": (1, COMPARED),

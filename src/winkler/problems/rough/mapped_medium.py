@@ -43,8 +43,8 @@ def medium_notes(
     coarse = Note(
         Assumption.RESOLUTION,
         Standing.APPROXIMATE,
-        "The pixels are wide for a nearly incompressible film: under a wave of sixteen of them displacements are wrong "
-        f"by {lost:.1%}; take a finer map.",
+        "The pixels are wide for a nearly incompressible film: under a wave of sixteen of them displacements are "
+        f"wrong by {lost:.1%}; take a finer map.",
         "pixels of constant pressure against the compliance of the layers",
     )
     return (PIXELS_ON_LAYERS, border, *graded_notes(medium), *((coarse,) if lost > FOLLOWED_SHARE else ()), *notes[2:])
