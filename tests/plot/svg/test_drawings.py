@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import re
 import struct
+import sys
 import zlib
 from xml.etree import ElementTree
 
@@ -67,16 +68,10 @@ def symbols():
     from winkler.plot.registered import everything
 
     everything()
-    own = {entry for cls in every_subclass(object) for entry in vars(cls).get("__words__", {}).values()}
-    return sorted({entry.symbol for entry in {*GLOSSARY.values(), *own} if getattr(entry, "symbol", "")})
-
-
-def every_subclass(cls):
-    for one in type.__subclasses__(cls):
-        if one.__module__.startswith("winkler"):
-            yield one
-        if one.__module__.split(".")[0] in ("winkler", "typing", "builtins", "enum", "abc"):
-            yield from every_subclass(one)
+    loaded = [module for name, module in sys.modules.items() if name.startswith("winkler.")]
+    classes = {one for module in loaded for one in vars(module).values() if isinstance(one, type)}
+    own = [entry for cls in classes for entry in vars(cls).get("__words__", {}).values()]
+    return sorted({entry.symbol for entry in [*GLOSSARY.values(), *own] if entry.symbol})
 
 
 def test_every_symbol_can_be_written():
