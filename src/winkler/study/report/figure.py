@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import io
 import re
 from typing import TYPE_CHECKING, NamedTuple
 
+from winkler.plot.picture_file import picture_file
 from winkler.plot.svg.sheet import Drawing, drawing_of
 from winkler.study.chapters.method_captions import CAPTIONS
 
@@ -14,8 +14,6 @@ if TYPE_CHECKING:
     from winkler.plot.picture import Picture
 
 __all__ = ["ReportFigure", "capital", "drawn", "figure_files", "svg_element"]
-
-PROLOG = '<?xml version="1.0" encoding="utf-8"?>\n'
 
 
 class ReportFigure(NamedTuple):
@@ -87,18 +85,8 @@ def svg_element(shown: ReportFigure, description: str) -> str:
 def figure_files(shown: tuple[ReportFigure, ...], formats: tuple[str, ...]) -> dict[str, bytes]:
     """Return every figure in every format: name in the folder of results -> content."""
     return {
-        f"figures/{one.name}.{ending}": _drawn_file(one, ending)
+        f"figures/{one.name}.{ending}": picture_file(one.sheet, ending, dpi=200)
         for one in shown
-        if one.drawing is not None
+        if one.sheet is not None
         for ending in formats
     }
-
-
-def _drawn_file(one: ReportFigure, ending: str) -> bytes:
-    assert one.drawing is not None
-    if ending == "svg":
-        return f"{PROLOG}{one.drawing.text}".encode()
-    store, picture = io.BytesIO(), one.picture
-    assert picture is not None
-    picture.savefig(store, format=ending, dpi=200)
-    return store.getvalue()
