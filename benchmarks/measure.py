@@ -45,6 +45,8 @@ from winkler.fitting.fit import fit
 from winkler.study.inspection.inspect import inspect_file
 
 ROUNDS = 5
+LONG = 5.0
+"""Processor time of a study from which on it is named [s]."""
 HEAD = ["what", "median", "fastest", "slowest"]
 STEEL = wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3))
 README = PAGE.parents[1] / "README.md"
@@ -163,12 +165,34 @@ def starts(folder: Path) -> str:
     times: dict[str, list[float]] = {what: [] for what in commands}
     for count in range(ROUNDS + 1):
         for what, words in commands.items():
-            before = resource.getrusage(resource.RUSAGE_CHILDREN)
-            subprocess.run([sys.executable, *words], cwd=folder, capture_output=True, check=True)
-            after = resource.getrusage(resource.RUSAGE_CHILDREN)
-            spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+            spent = of_a_process(words, folder)
             times[what] += [spent] if count else []
     return table(HEAD, [row(what, own) for what, own in times.items()])
+
+
+def of_a_process(words: list[str], folder: Path) -> float:
+    """Return the processor time of a new process of Python [s]."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    subprocess.run([sys.executable, *words], cwd=folder, capture_output=True, check=True)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def studies(folder: Path) -> str:
+    """Return the table of all studies of the examples: each is run twice with its report, and the second run counts."""
+    paths = sorted((PAGE.parents[1] / "examples" / "studies").rglob("*.toml"))
+    times = {}
+    for path in paths:
+        words = ["-m", "winkler", "run", str(path), "--quiet", "--overwrite", "--output", "results"]
+        times[path.stem] = [of_a_process(words, folder) for _ in range(2)][1]
+    long = sorted((name for name in times if times[name] > LONG), key=lambda name: -times[name])
+    over = ", ".join(f"{name} {in_words(times[name])}" for name in long)
+    return "\n\n".join(
+        [
+            table(HEAD, [row(f"{len(paths)} studies, with report and pictures", list(times.values()))]),
+            f"Over {LONG:g} s: {over or 'none'}.",
+        ]
+    )
 
 
 def files(folder: Path) -> str:
@@ -210,10 +234,10 @@ def maps() -> str:
     """Return the table of large height maps, smallest first."""
     lines = []
     with tempfile.TemporaryDirectory() as folder:
-        for count in (256, 512, 1024):
+        for count in (256, 512, 1024, 2048):
             saved = Path(folder) / f"{count}.npy"
             np.save(saved, bench_map_scale.heights(count))
-            for periodic in (True, False):
+            for periodic in (True, False) if count < 2048 else (True,):
                 for code, (module, _) in bench_map_scale.CODES.items():
                     if importlib.util.find_spec(module) and (code == "winkler" or count <= 512):
                         found = bench_map_scale.measured(code, saved, periodic)
@@ -245,7 +269,7 @@ def main() -> None:
     present = [f"{code} {version(module)}" for code, module in OTHERS.items() if code not in missing]
     parts = {"fits": fits(), "contacts": contacts(), "wear": wear(), "elements": elements(), "maps": maps()}
     with tempfile.TemporaryDirectory() as folder:
-        parts |= {"starts": starts(Path(folder)), "files": files(Path(folder))}
+        parts |= {"starts": starts(Path(folder)), "studies": studies(Path(folder)), "files": files(Path(folder))}
     parts |= {"laws": laws(), "arrays": arrays()}
     hertz_rows = peers.measure(ROUNDS)
     equal = peers.equally_accurate(hertz_rows)

@@ -113,8 +113,8 @@ def test_numbers_alone_load_nothing_that_draws_or_writes(tmp_path):
 def test_a_report_loads_what_draws_and_writes_it(tmp_path):
     (tmp_path / "ball.toml").write_text(STUDY, encoding="utf-8")
     loaded = modules_after("from winkler.cli import main; main(['run', 'ball.toml', '--quiet'])", tmp_path)
-    assert {"matplotlib", "h5netcdf"} <= loaded
-    assert loaded.isdisjoint(ELSEWHERE | OF_OTHER_REPORTS | {"rich", "matplotlib.pyplot"})
+    assert {"winkler.plot.svg.sheet", "h5netcdf"} <= loaded
+    assert loaded.isdisjoint(ELSEWHERE | OF_OTHER_REPORTS | {"rich", "matplotlib"})
     assert (tmp_path / "results/ball/report.html").is_file()
 
 

@@ -97,4 +97,4 @@ def test_drawn_points_are_dots(design, names):
     shown = answers_over(run(study))
     found = [next(shown) for _ in names]
     assert [one.name for one in found] == names
-    assert all(one.svg for one in found)
+    assert all(one.drawing for one in found)

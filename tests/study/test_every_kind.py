@@ -39,10 +39,6 @@ GROUPS = {
 }
 
 
-TO_MEND = {("surface_adhesion", "answer_stuck")}
-"""Known faults: a colour bar has other ticks in pixels than in SVG, where figures are laid out; its name is cut."""
-
-
 @functools.cache
 def outcome_of(kind: str) -> Any:
     """Return what the study of a kind gives that a newcomer meets, once in each worker."""
@@ -72,11 +68,8 @@ def notes(kind: str) -> Iterator[str]:
 def legible(kind: str) -> Iterator[str]:
     """Nothing in a figure is empty, without a name, cut, too small or over something else."""
     for one in figures(kind):
-        found = [] if one.picture is None else faults(one.picture)
-        if (kind, one.name) not in TO_MEND:
-            yield from (f"{one.name}: {fault}" for fault in found)
-        elif not found:
-            yield f"{one.name} is mended: take it from TO_MEND"
+        for drawn in (one.drawing, one.picture):
+            yield from (f"{one.name}: {fault}" for fault in (faults(drawn) if drawn is not None else ()))
 
 
 def charts(kind: str) -> Iterator[str]:

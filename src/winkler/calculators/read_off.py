@@ -3,25 +3,24 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
 
 from winkler.calculators.single_page import joined_script
+from winkler.numerics.types import Array
+from winkler.plot.axis import PanelAxis
+from winkler.plot.marks import Line
+from winkler.plot.svg.scales import Side
 from winkler.study.language.explain import plain_symbol
 from winkler.study.report.figure import ReportFigure
 
 __all__ = ["readable_curves", "with_reading"]
 
-POINTS_PER_INCH = 72.0
-"""In which figures are sized on the page."""
 LETTERS = 9.0
-"""Size of the letters of figures, in the same."""
+"""Size of the letters of figures [pt]."""
 DIGITS = 7
-KNOWN_SCALES = ("linear", "log")
-LABEL = re.compile(r"(.*?)(?: \[([^\]]*)\])?", re.DOTALL)
 STYLE = """
 figure svg:focus-visible { outline: 3px solid #00639c; outline-offset: 2px; }
 .reading { pointer-events: none; }
@@ -56,7 +55,7 @@ def with_reading(page: str, shown: Iterable[ReportFigure]) -> str:
     shown : iterable of ReportFigure
         Its figures.
     """
-    curves = {one.name.replace("_", "-"): readable_curves(one) for one in shown if one.picture is not None}
+    curves = {one.name.replace("_", "-"): readable_curves(one) for one in shown if one.drawing is not None}
     data = json.dumps({name: panels for name, panels in curves.items() if panels}, ensure_ascii=False)
     script = joined_script(("reading",)) + BEGIN
     head, body = page.split("</style>", 1)
@@ -76,45 +75,44 @@ def readable_curves(one: ReportFigure) -> list[dict[str, Any]]:
     Returns
     -------
     list of dict
-        Without panels that have no curve, no labelled axes, or axes other than linear and logarithmic.
+        Without panels that have no curve or no labelled axes.
     """
-    assert one.picture is not None
-    width, height = (size * POINTS_PER_INCH for size in one.picture.get_size_inches())
+    assert one.drawing is not None
     panels = []
-    for axes in one.picture.axes:
-        across, upright = _axis(axes, "x"), _axis(axes, "y")
+    for panel, plane in one.drawing.panels:
+        across, upright = (_axis(*of) for of in ((panel.across, plane.across), (panel.upright, plane.upright)))
         curves = [
-            {"name": _plain(str(line.get_label())), "x": _numbers(line.get_xdata()), "y": _numbers(line.get_ydata())}
-            for line in axes.get_lines()
-            if line.get_visible() and line.get_transform() == axes.transData and np.size(line.get_xdata()) > 2
+            {
+                "name": _plain(mark.name),
+                "x": _numbers(mark.x, plane.factors[0]),
+                "y": _numbers(mark.y, plane.factors[1]),
+            }
+            for mark in panel.marks
+            if isinstance(mark, Line) and not mark.beside and mark.x.size > 2
         ]
-        if across is None or upright is None or not curves:
+        if across is None or upright is None or panel.bare or not curves:
             continue
-        place = axes.get_position()
-        box = [place.x0 * width, (1.0 - place.y1) * height, place.x1 * width, (1.0 - place.y0) * height]
-        panels.append({"box": box, "size": LETTERS, "x": across, "y": upright, "curves": curves})
+        panels.append({"box": list(plane.box), "size": LETTERS, "x": across, "y": upright, "curves": curves})
     return panels
 
 
-def _axis(axes: Any, which: str) -> dict[str, Any] | None:
-    label, scale = getattr(axes, f"get_{which}label")(), getattr(axes, f"get_{which}scale")()
-    if not label or scale not in KNOWN_SCALES:
+def _axis(axis: PanelAxis, side: Side) -> dict[str, Any] | None:
+    if not axis.label:
         return None
-    low, high = map(float, getattr(axes, f"get_{which}lim")())
-    found = LABEL.fullmatch(label)
-    assert found is not None
-    return {"title": _plain(found[1]), "unit": _plain(found[2] or ""), "low": low, "high": high, "log": scale == "log"}
+    ends = {"low": float(side.low), "high": float(side.high), "log": side.log}
+    return {"title": _plain(axis.label), "unit": axis.scale.unit, **ends}
 
 
 def _plain(label: str) -> str:
-    """Return a label without formulas; nothing for one that matplotlib made up."""
+    """Return a label without formulas; nothing for a hidden name."""
     if label.startswith("_"):
         return ""
     parts = label.split("$")
     return "".join(plain_symbol(part) if place % 2 else part for place, part in enumerate(parts))
 
 
-def _numbers(column: Any) -> list[float | None]:
+def _numbers(column: Array, factor: float) -> list[float | None]:
     return [
-        float(f"{number:.{DIGITS}g}") if np.isfinite(number) else None for number in np.asarray(column, dtype=float)
+        float(f"{number:.{DIGITS}g}") if np.isfinite(number) else None
+        for number in (np.ravel(column) / factor).tolist()
     ]

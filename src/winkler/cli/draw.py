@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import io
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -54,8 +53,8 @@ def draw(
     from winkler.fields.restoration import SubsurfaceFields
     from winkler.io.whole_file import write_whole
     from winkler.plot.normal.stresses import interface_rules
+    from winkler.plot.picture_file import picture_file
     from winkler.plot.registered import sheet_of_kind
-    from winkler.plot.render import render
     from winkler.study.language.reading import read_study
     from winkler.study.language.study import PICTURES
     from winkler.values.errors import InvalidInput, suggest
@@ -78,9 +77,7 @@ def draw(
     if isinstance(item, SubsurfaceFields) and min(item.r.shape) > 1:
         rules = interface_rules(item, answer.problem.bed.medium)
         sheet = dataclasses.replace(sheet, panels=(sheet.panels[0].plus(*rules),))
-    with io.BytesIO() as drawn:
-        render(sheet).savefig(drawn, format=path.suffix[1:].lower())
-        write_whole({path: drawn.getvalue()})
+    write_whole({path: picture_file(sheet, path.suffix[1:].lower())})
     write_line(f"Written {path}")
 
 

@@ -239,12 +239,8 @@ def _print_list(rows: list[Inspection], left: int) -> None:
 
 
 def _draw(found: Inspection, output: Path) -> None:
-    import io
-
     from winkler.io.whole_file import write_whole
+    from winkler.plot.picture_file import picture_file
     from winkler.plot.registered import sheet_of_kind
-    from winkler.plot.render import render
 
-    with io.BytesIO() as drawn:
-        render(sheet_of_kind(found.content)).savefig(drawn, format=output.suffix[1:].lower())
-        write_whole({output: drawn.getvalue()})
+    write_whole({output: picture_file(sheet_of_kind(found.content), output.suffix[1:].lower())})

@@ -17,6 +17,8 @@ from winkler.plot.panel import Line, Panel, Rule, Sheet
 from winkler.plot.picture import Picture, empty_figure, styled
 from winkler.plot.render_axis import set_axis, thin_ticks
 from winkler.plot.render_marks import draw_mark
+from winkler.plot.svg.legend import ABOVE, free_place, room_above
+from winkler.plot.svg.letters import Box
 from winkler.values.checks.physical_size import as_text
 from winkler.values.errors import InvalidInput
 
@@ -153,22 +155,6 @@ def _legend(axes: Axes, panel: Panel) -> None:
         clear_of_curves(axes, legend, panel.legend)
 
 
-PLACES = (
-    "upper right",
-    "upper left",
-    "lower right",
-    "lower left",
-    "center right",
-    "center left",
-    "upper center",
-    "lower center",
-    "center",
-)
-ABOVE = ("upper right", "upper left", "upper center")
-FREE = 3.0
-"""Dots between a legend and a curve."""
-MOST_ROOM = 0.45
-"""Greatest part of a panel that is left free above its curves for the legend."""
 THIN = 1.0
 """Narrower lines, such as those at zero, may run below a legend [pt]."""
 
@@ -176,27 +162,19 @@ THIN = 1.0
 def clear_of_curves(axes: Axes, legend: Legend, wanted: str) -> None:
     """Place a legend where it was wanted, or at the first place where it covers nothing, or above the curves."""
     drawn = np.concatenate([np.empty((0, 2)), *(_dots(one) for one in _panels_here(axes))])
-    texts = [text.get_window_extent() for text in axes.texts if text.get_text()]
-    covered: dict[Any, int] = {}
-    for place in dict.fromkeys((wanted, *PLACES)):
-        if place == "best" and wanted != "best":
-            continue
-        box = _box(legend, place)
-        covered[place] = int(np.count_nonzero(_within(drawn, box))) + 1000 * sum(box.overlaps(text) for text in texts)
-        if covered[place] == 0:
-            return
-    share = (legend.get_window_extent().height + 4.0 * FREE) / axes.bbox.height
-    if share < MOST_ROOM and axes.get_aspect() == "auto":
+    texts = [Box(*text.get_window_extent().extents) for text in axes.texts if text.get_text()]
+
+    def box_at(place: str) -> Box:
+        legend.set_loc(place)  # type: ignore[arg-type]
+        return Box(*legend.get_window_extent().extents)
+
+    place, free = free_place(wanted, box_at, drawn, texts)
+    share = room_above(legend.get_window_extent().height, axes.bbox.height)
+    if not free and share and axes.get_aspect() == "auto":
         for one in _panels_here(axes):
             _leave_room(one, share)
-        covered = {place: sum(_box(legend, place).overlaps(text) for text in texts) for place in ABOVE}
-    legend.set_loc(min(covered, key=lambda place: covered[place]))
-
-
-def _box(legend: Legend, place: Any) -> Bbox:
-    """Return the frame of a legend [dots] with what is to stay free around it, after placing it."""
-    legend.set_loc(place)
-    return legend.get_window_extent().padded(FREE)
+        place = min(ABOVE, key=lambda one: sum(map(box_at(one).meets, texts)))
+    legend.set_loc(place)  # type: ignore[arg-type]
 
 
 def _panels_here(axes: Axes) -> list[Any]:

@@ -14,20 +14,9 @@ from matplotlib.ticker import (
 )
 
 from winkler.plot.panel import PanelAxis
+from winkler.plot.svg.scales import MOST_TICKS_ACROSS, broken, digits_of_decades, narrow_parts
 
 __all__ = ["set_axis", "thin_ticks"]
-
-MOST_TICKS_ACROSS = 7
-"""Parts of a horizontal axis; more of them with labels as long as -0.25 run into each other in a narrow panel."""
-
-LEAST_LABELLED_SPANS = ((0.7, (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0)), (2.5, (1.0, 2.0, 5.0)))
-"""Decades that an axis spans at most -> the digits labelled there; over more decades powers of ten alone."""
-
-LONG, SYMBOL_WIDTH = 34, 10
-"""Letters of a label beside which a panel of usual height has room, and those that a symbol and its unit take."""
-
-NARROW = 0.8
-"""Width over height of a panel with equal scales below which its horizontal axis has fewer ticks."""
 
 
 def set_axis(axes: Axes, side: str, one: PanelAxis) -> None:
@@ -47,9 +36,7 @@ def set_axis(axes: Axes, side: str, one: PanelAxis) -> None:
         axis.set_inverted(True)
     if one.log:
         low, high = axis.get_view_interval()
-        span = np.log10(high / low)
-        digits = next((digits for most, digits in LEAST_LABELLED_SPANS if span < most), (1.0,))
-        axis.set_major_locator(LogLocator(subs=digits, numticks=12))
+        axis.set_major_locator(LogLocator(subs=digits_of_decades(low, high), numticks=12))
         power_of_ten = LogFormatterSciNotation(labelOnlyBase=False, minor_thresholds=(np.inf, np.inf))
         short = one.plain and low >= 1e-4 and high < 1e6  # others are written with powers of ten
         axis.set_major_formatter(StrMethodFormatter("{x:g}") if short else power_of_ten)
@@ -65,25 +52,11 @@ def set_axis(axes: Axes, side: str, one: PanelAxis) -> None:
         formatter.set_useOffset(False)
     if one.ticks is not None:
         axis.set_ticks(one.ticks / one.scale.factor, one.names or None)
-    (axes.set_ylabel if upright else axes.set_xlabel)(_broken(one.title) if upright else one.title, color=one.colour)
-
-
-def _broken(title: str) -> str:
-    """Return a long label of an upright axis in two lines: the second one begins with the symbol, or is one half."""
-    name, dollar, symbol = title.partition(" $")
-    if len(name) + min(len(symbol), SYMBOL_WIDTH) <= LONG:
-        return title
-    if dollar and len(name) <= LONG:
-        return f"{name}\n${symbol}"
-    words = name.split(" ")
-    half = next(count for count in range(1, len(words) + 1) if 2 * len(" ".join(words[:count])) >= len(name))
-    return "\n".join(part for part in (" ".join(words[:half]), " ".join(words[half:]) + dollar + symbol) if part)
+    (axes.set_ylabel if upright else axes.set_xlabel)(broken(one.title) if upright else one.title, color=one.colour)
 
 
 def thin_ticks(axes: Axes, across: PanelAxis) -> None:
     """Leave fewer ticks on the horizontal axis of a panel that equal scales make narrow."""
-    (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
-    ratio = abs((right - left) / (top - bottom)) if top != bottom else 1.0
-    if ratio < NARROW and across.ticks is None and not (across.parts or across.log):
-        parts = max(2, round(MOST_TICKS_ACROSS * ratio / NARROW) - 1)
+    parts = narrow_parts(across, axes.get_xlim(), axes.get_ylim())
+    if parts:
         axes.xaxis.set_major_locator(MaxNLocator(nbins=parts, steps=[1, 2, 2.5, 5, 10]))

@@ -189,9 +189,8 @@ def _map(axes: Axes, mark: marks.Map, across: float, upright: float) -> None:
     elif mark.kind == "pixels":
         colour_map: Any = colours or ListedColormap(list(mark.colours))
         ends = (x[0], x[-1], y[0], y[-1])
-        drawn = axes.imshow(
-            z.T, origin="lower", extent=ends, cmap=colour_map, norm=norm, interpolation="nearest", aspect="auto"
-        )
+        look: Any = {"cmap": colour_map, "norm": norm, "alpha": None if mark.alpha == 1.0 else mark.alpha}
+        drawn = axes.imshow(z.T, origin="lower", extent=ends, interpolation="nearest", aspect="auto", **look)
     elif mark.kind == "discs":
         discs = [Circle((x[i], y[i]), radius) for i, radius in enumerate(mark.z / across)]
         drawn = PatchCollection(discs, cmap=colours, edgecolor=style.INK, linewidth=0.6)
@@ -204,7 +203,7 @@ def _map(axes: Axes, mark: marks.Map, across: float, upright: float) -> None:
         drawn = axes.pcolormesh(x, y, content, cmap=colours, norm=norm, shading=shading, rasterized=True)
     if mark.line_width:
         levels = mark.lines / factor if isinstance(mark.lines, np.ndarray) else drawn.levels[0 if mark.lines else 1 :]
-        look: Any = {"colors": mark.line_colour, "linewidths": mark.line_width, "alpha": mark.line_alpha}
+        look = {"colors": mark.line_colour, "linewidths": mark.line_width, "alpha": mark.line_alpha}
         x, y = (mark.centres[0] / across, mark.centres[1] / upright) if mark.centres else (x, y)
         axes.contour(x, y, z, levels=levels, **look)
     if mark.ground:

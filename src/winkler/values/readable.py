@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-__all__ = ["Scale", "middle_scale", "pretty_unit", "scale_of", "with_readable_numbers", "with_unit"]
+__all__ = ["GREEK", "Scale", "middle_scale", "pretty_unit", "scale_of", "with_readable_numbers", "with_unit"]
 
 PREFIXES = {-18: "a", -15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
 
@@ -19,6 +19,14 @@ PREFIXED = ("m", "N", "Pa", "J", "W", "s", "V", "A", "Hz", "K", "ohm", "S", "N m
 """Units that take a prefix when they stand first and without a power: µm, kN, MN/m, mN m."""
 POWERS = {"m^2": (2, 1e-2), "m^3": (3, 1e-3)}
 """Areas and volumes -> power of the metre, and the least number that its prefix may leave."""
+
+GREEK = {
+    "epsilon": "ε", "theta": "θ", "lambda": "λ", "mu": "μ", "nu": "ν", "phi": "φ", "sigma": "σ", "tau": "τ",
+    "alpha": "α", "gamma": "γ", "rho": "ρ", "beta": "β", "eta": "η", "zeta": "ζ", "kappa": "κ", "omega": "ω",
+    "varphi": "φ", "psi": "ψ", "ell": "ℓ", "Delta": "Δ", "delta": "δ", "Lambda": "Λ", "xi": "ξ",
+    "infty": "∞", "tan": "tan ", "int": "∫",
+}  # fmt: skip
+"""Names of letters and signs in LaTeX -> the letters."""
 
 WHOLE_BELOW = 1e6
 """Largest number whose rounded digits are written as zeros."""

@@ -13,16 +13,10 @@ from winkler.study.language import maps, quantities
 from winkler.study.language.catalogue import kinds, slot_of
 from winkler.study.language.schema import allowed_in_list, allowed_kinds, hints, is_choice, options, required_fields
 from winkler.values.errors import InvalidInput
+from winkler.values.readable import GREEK
 from winkler.values.vocabulary import Word, word
 
 __all__ = ["Key", "completed", "example_study", "keys_of", "place_of", "plain_symbol", "summary", "table_at"]
-
-GREEK = {
-    "epsilon": "ε", "theta": "θ", "lambda": "λ", "mu": "μ", "nu": "ν", "phi": "φ", "sigma": "σ", "tau": "τ",
-    "alpha": "α", "gamma": "γ", "rho": "ρ", "beta": "β", "eta": "η", "zeta": "ζ", "kappa": "κ", "omega": "ω",
-    "varphi": "φ", "psi": "ψ", "ell": "ℓ", "Delta": "Δ", "delta": "δ", "Lambda": "Λ", "xi": "ξ",
-    "infty": "∞", "tan": "tan ", "int": "∫",
-}  # fmt: skip
 
 
 class Key(NamedTuple):

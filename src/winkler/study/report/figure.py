@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import io
 import re
 from typing import TYPE_CHECKING, NamedTuple
 
+from winkler.plot.picture_file import picture_file
+from winkler.plot.svg.sheet import Drawing, drawing_of
 from winkler.study.chapters.method_captions import CAPTIONS
 
 if TYPE_CHECKING:
@@ -24,10 +25,10 @@ class ReportFigure(NamedTuple):
         The stem of its files: a picture of the method, or ``answer_`` and the name of an answer.
     title, sentence
         Its caption.
-    picture
-        The figure; None if it could not be drawn.
-    svg
-        The same as text; empty if it could not be drawn.
+    sheet
+        Its panels; None if they could not be drawn.
+    drawing
+        The same in SVG; None if it could not be drawn.
     missing
         Why there is none; empty if there is one.
     """
@@ -35,9 +36,16 @@ class ReportFigure(NamedTuple):
     name: str
     title: str
     sentence: str
-    picture: Picture | None
-    svg: str = ""
+    sheet: Sheet | None
+    drawing: Drawing | None = None
     missing: str = ""
+
+    @property
+    def picture(self) -> Picture | None:
+        """The figure drawn anew by matplotlib, for files of other formats; None if it could not be drawn."""
+        from winkler.plot.render import render  # matplotlib is loaded by the first figure
+
+        return None if self.sheet is None else render(self.sheet)
 
     @property
     def of_method(self) -> bool:
@@ -46,33 +54,8 @@ class ReportFigure(NamedTuple):
 
 
 def drawn(name: str, title: str, sentence: str, sheet: Sheet) -> ReportFigure:
-    """Return a figure with its text, laid out once for all formats."""
-    from winkler.plot.render import render  # matplotlib is loaded by the first figure
-
-    picture = render(sheet)
-    _lay_out(picture)
-    store = io.BytesIO()
-    picture.savefig(store, format="svg", dpi=200, metadata={"Creator": None})
-    return ReportFigure(name, title, sentence, picture, store.getvalue().decode("utf-8"))
-
-
-def _lay_out(picture: Picture) -> None:
-    """Put the axes of a figure in their places, by the letters of SVG; each format is then drawn once."""
-    from matplotlib.backends.backend_svg import FigureCanvasSVG
-
-    from winkler.plot.picture import styled
-
-    engine, canvas, dpi = picture.get_layout_engine(), picture.canvas, picture.dpi
-    if engine is None:
-        return
-    try:
-        FigureCanvasSVG(picture)
-        with styled():
-            engine.execute(picture)
-            picture.set_layout_engine(None)  # with an engine matplotlib draws twice, first for the layout
-    finally:
-        picture.set_canvas(canvas)
-        picture.dpi = dpi
+    """Return a figure with its drawing."""
+    return ReportFigure(name, title, sentence, sheet, drawing_of(sheet))
 
 
 def capital(text: str) -> str:
@@ -81,7 +64,7 @@ def capital(text: str) -> str:
 
 
 def svg_element(shown: ReportFigure, description: str) -> str:
-    """Return a figure as one SVG element for a page: no prolog, its own identifiers, scalable, with a description.
+    """Return a figure as one SVG element for a page: its own identifiers, scalable, with a description.
 
     Parameters
     ----------
@@ -90,32 +73,20 @@ def svg_element(shown: ReportFigure, description: str) -> str:
     description
         Description for screen readers; already escaped.
     """
+    assert shown.drawing is not None
     name = shown.name.replace("_", "-")
-    text = shown.svg[shown.svg.index("<svg") :]
-    text = re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.DOTALL)
-    text = re.sub(r'\bid="', f'id="{name}-', text)
+    text = re.sub(r'\bid="', f'id="{name}-', shown.drawing.text)
     text = re.sub(r"url\(#", f"url(#{name}-", text)
-    text = re.sub(r'href="#', f'href="#{name}-', text)
-    head, rest = text.split(">", 1)
-    size = re.search(r'viewBox="[\d.]+ [\d.]+ ([\d.]+) ([\d.]+)"', head)
-    assert size is not None
-    box = f'viewBox="0 0 {size[1]} {size[2]}"'
-    links = 'xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'
-    wide = f'style="max-width:{float(size[1]) * 1.6:.0f}px"'
-    return f'<svg {links} {box} role="img" aria-label="{description}" {wide}>{rest}'
+    wide = f'style="max-width:{shown.drawing.width * 1.6:.0f}px"'
+    said = f'role="img" aria-label="{description}" {wide}'
+    return re.sub(r'^<svg ([^>]*?) width="[^"]*" height="[^"]*"', lambda head: f"<svg {head[1]} {said}", text, count=1)
 
 
 def figure_files(shown: tuple[ReportFigure, ...], formats: tuple[str, ...]) -> dict[str, bytes]:
     """Return every figure in every format: name in the folder of results -> content."""
     return {
-        f"figures/{one.name}.{ending}": one.svg.encode("utf-8") if ending == "svg" else _drawn_file(one.picture, ending)
+        f"figures/{one.name}.{ending}": picture_file(one.sheet, ending, dpi=200)
         for one in shown
-        if one.picture is not None
+        if one.sheet is not None
         for ending in formats
     }
-
-
-def _drawn_file(picture: Picture, ending: str) -> bytes:
-    store = io.BytesIO()
-    picture.savefig(store, format=ending, dpi=200)
-    return store.getvalue()

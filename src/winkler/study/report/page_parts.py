@@ -35,8 +35,8 @@ __all__ = [
     "trust",
 ]
 
-WIDE_FIGURE = 7.0
-"""Width [inch] above which figures, panels side by side, take both columns of the page."""
+WIDE_FIGURE = 504.0
+"""Width [pt] above which figures, panels side by side, take both columns of the page."""
 REPORT = "report.html"
 
 
@@ -68,11 +68,11 @@ def figure_elements(shown: Iterable[ReportFigure]) -> str:
 
 def _figure_element(one: ReportFigure) -> str:
     caption = f"<figcaption><h3>{safe(one.title)}</h3><p>{safe(one.sentence)}</p></figcaption>"
-    if one.picture is None:
+    if one.drawing is None:
         return f'<figure>{caption}<p class="missing">Not shown: {safe(one.missing)}</p></figure>'
     drawn = svg_element(one, safe(f"{one.title}. {one.sentence}"))
     # panels side by side would be too small to read in one column of the page
-    kind = ' class="wide"' if one.picture.get_size_inches()[0] > WIDE_FIGURE else ""
+    kind = ' class="wide"' if one.drawing.width > WIDE_FIGURE else ""
     return f"<figure{kind}>{caption}{drawn}</figure>"
 
 

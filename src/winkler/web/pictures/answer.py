@@ -225,5 +225,5 @@ def sheets(outcome: Outcome) -> Iterator[DrawnSheet]:
 
 def sheet_of(one: ReportFigure) -> DrawnSheet:
     """Return a figure of a report as a sheet."""
-    svg = svg_element(one, safe(f"{one.title}. {one.sentence}")) if one.picture is not None else ""
+    svg = svg_element(one, safe(f"{one.title}. {one.sentence}")) if one.drawing is not None else ""
     return DrawnSheet(one.title, one.sentence, svg, one.missing)

@@ -81,7 +81,7 @@ def laid_out(outcome: Outcome, shown: tuple[ReportFigure, ...]) -> Figure:
     elif sentence := headline(outcome):
         above.write(sentence, bold=True)
     above.gap()
-    drawn = sorted((one for one in shown if one.picture is not None), key=lambda one: one.of_method)
+    drawn = sorted((one for one in shown if one.drawing is not None), key=lambda one: one.of_method)
     below = _answers(outcome, SIZE, 1.0 - TOP - BOTTOM - above.height)
     room = 1.0 - TOP - BOTTOM - above.height - below.height
     if len(drawn) > len([one for row in _rows(drawn, room * A4[1])[0] for one in row]):
@@ -206,25 +206,21 @@ def _rows(drawn: list[Any], room: float) -> tuple[list[list[Any]], list[float]]:
 
 def _shape(one: Any) -> float:
     """Return the width of a picture over its height."""
-    wide, high = one.picture.get_size_inches()
-    return float(wide / high)
+    return float(one.drawing.width / one.drawing.height)
 
 
 def _keeps_shape(one: Any) -> bool:
-    return any(axes.get_aspect() != "auto" for axes in one.picture.axes)
+    return any(panel.equal for panel, _ in one.drawing.panels)
 
 
 def _pixels(picture: Any, width: float, height: float) -> Any:
-    """Return a picture as an image of a width and a height [inch]; one that is to be higher is laid out again."""
+    """Return a picture as an image of a width and a height [inch]; one that is to be higher is laid out so."""
     from matplotlib.image import imread
 
     store = io.BytesIO()
     wide, high = picture.get_size_inches()
     if height > 1.01 * width * high / wide:
         picture.set_size_inches(wide, wide * height / width)
-        picture.set_layout_engine("constrained")
     picture.savefig(store, format="png", dpi=DOTS * width / wide)
-    picture.set_layout_engine(None)
-    picture.set_size_inches(wide, high)
     store.seek(0)
     return imread(store)

@@ -1,0 +1,33 @@
+"""A sheet of panels as the content of a file."""
+
+from __future__ import annotations
+
+import io
+
+from winkler.plot.panel import Sheet
+from winkler.plot.svg.sheet import drawing_of
+
+__all__ = ["picture_file"]
+
+PROLOG = '<?xml version="1.0" encoding="utf-8"?>\n'
+
+
+def picture_file(sheet: Sheet, ending: str, **options: int) -> bytes:
+    """Return a sheet as a file.
+
+    Parameters
+    ----------
+    sheet
+        Panels.
+    ending
+        ``svg``, or a format of matplotlib, which is loaded for it.
+    options
+        Of matplotlib, such as ``dpi``.
+    """
+    if ending == "svg":
+        return f"{PROLOG}{drawing_of(sheet).text}".encode()
+    from winkler.plot.render import render  # matplotlib is loaded by the first figure
+
+    store = io.BytesIO()
+    render(sheet).savefig(store, format=ending, **options)
+    return store.getvalue()
