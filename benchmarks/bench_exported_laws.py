@@ -143,11 +143,12 @@ def in_lammps(folder: Path) -> list[list[str]]:
         "friction": "hertz/material 70e9 0.0 0.22 tangential mindlin NULL 0.0 0.3 damping velocity",
     }
     built_in["friction_one_spring"] = built_in["friction"]
+    moments = " rolling sds 1e5 0.0 0.1 twisting marshall"  # the exported law has them, too
     depths = {"hertz": 1e-6, "jkr": 5e-6, "mdr": 10e-6, "friction": 1e-6, "friction_one_spring": 1e-6}
     rows = []
     for name, law in laws.items():
         wk.write_export(wk.export(law, "lammps", name=f"own_{name}"), folder)
-        build = ["g++", "-O2", "-std=c++17", "-shared", "-fPIC", "-I", str(package / "include" / "lammps")]
+        build = ["g++", "-O3", "-std=c++17", "-shared", "-fPIC", "-I", str(package / "include" / "lammps")]
         build += ["-I", str(mpi / "include"), f"pair_own_{name}.cpp", "-o", f"{name}.so"]
         subprocess.run(build, cwd=folder, check=True)
         cell = np.sqrt(2.0) * (2e-3 - depths[name])
@@ -158,6 +159,9 @@ def in_lammps(folder: Path) -> list[list[str]]:
             "exported": [f"plugin load ./{name}.so", *start, f"pair_style own_{name} 2.0e-3", "pair_coeff * *", *ends],
             "built in": [*off, "pair_style granular", f"pair_coeff * * {built_in[name]}", *ends],
         }
+        if "friction" in name:
+            words = f"pair_coeff * * {built_in[name]}{moments}"
+            pairs["built in, with rolling and twisting"] = [*off, "pair_style granular", words, *ends]
         for what, commands in pairs.items():
             task = {"commands": commands, "rounds": ROUNDS, "steps": 40}
             paths = {"LD_LIBRARY_PATH": str(mpi / "lib"), "PYTHONPATH": str(package.parent), "OMP_NUM_THREADS": "1"}

@@ -47,6 +47,7 @@ from winkler.study.inspection.inspect import inspect_file
 ROUNDS = 5
 LONG = 5.0
 """Processor time of a study from which on it is named [s]."""
+SIDES = (256, 512, 1024, 2048)
 HEAD = ["what", "median", "fastest", "slowest"]
 STEEL = wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3))
 README = PAGE.parents[1] / "README.md"
@@ -127,6 +128,9 @@ def fits() -> str:
                     apart[code].append(abs(found[0] / YOUNG - 1.0))
         for code, own in times.items():
             lines.append([f"{count:,} points", *row(code, own), f"{max(apart[code]):.1e}"])
+    batch = [pressed(2_000, seed) for seed in range(200)]
+    many = {code: lambda call=call: [call(curve) for curve in batch] for code, call in codes.items()}
+    lines += [["200 curves of 2,000 points", *own, ""] for own in rows_of(many, 3)]
     return table(["curve", "code", *HEAD[1:], "greatest error of E"], lines)
 
 
@@ -231,10 +235,11 @@ def elements() -> str:
 
 
 def maps() -> str:
-    """Return the table of large height maps, smallest first."""
+    """Return the table of large height maps, smallest first, and how winkler's times grow."""
     lines = []
+    spent: dict[bool, list[float]] = {True: [], False: []}
     with tempfile.TemporaryDirectory() as folder:
-        for count in (256, 512, 1024, 2048):
+        for count in SIDES:
             saved = Path(folder) / f"{count}.npy"
             np.save(saved, bench_map_scale.heights(count))
             for periodic in (True, False) if count < 2048 else (True,):
@@ -242,7 +247,10 @@ def maps() -> str:
                     if importlib.util.find_spec(module) and (code == "winkler" or count <= 512):
                         found = bench_map_scale.measured(code, saved, periodic)
                         lines.append(bench_map_scale.row(code, count, periodic, found))
-    return table(bench_map_scale.HEAD, lines)
+                        spent[periodic] += [found["spent"]] if code == "winkler" else []
+    periodic, free = (np.polyfit(np.log(SIDES[1:]), np.log(spent[kind][1:]), 1)[0] for kind in (True, False))
+    grows = f"From {SIDES[1]} pixels on the processor time of winkler grows with the power {periodic:.2f} of the side"
+    return f"{table(bench_map_scale.HEAD, lines)}\n\n{grows} of periodic maps, {free:.2f} of free ones."
 
 
 def laws() -> str:

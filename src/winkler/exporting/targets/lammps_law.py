@@ -193,7 +193,8 @@ public:
                     own = &fresh;
                 }
                 if (overlap > 0.0) check_radii(radius[a], radius[b]);
-                for (int k = 0; k < 3; ++k) n[k] /= distance;
+                const double whole = 1.0 / distance;
+                for (int k = 0; k < 3; ++k) n[k] *= whole;
                 const double arm_a = radius[a] - 0.5 * overlap, arm_b = radius[b] - 0.5 * overlap;
                 double slide[3] = {0.0, 0.0, 0.0}, turn[3] = {0.0, 0.0, 0.0}, spin[3] = {0.0, 0.0, 0.0};
                 if (SLIDES) {

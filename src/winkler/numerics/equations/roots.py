@@ -10,7 +10,7 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged, WinklerError
 
-__all__ = ["between", "bracketed", "invert", "rough_root"]
+__all__ = ["between", "bracketed", "by_blocks", "invert", "rough_root"]
 
 MOST_ITERATIONS = 200
 USUAL_ITERATIONS = 10
@@ -59,33 +59,31 @@ def invert(
         If a target is not met to rounding after 200 steps.
     """
     if target.size > MANY and np.ndim(guess) == 0:
-        begin, found = _between_samples(function, target, lower, upper, guess), np.empty(target.shape)
-        for start in range(0, target.size, BLOCK):
-            block = slice(start, start + BLOCK)
-            own = target[block]
-            found[block] = invert(function, own, lower=lower, upper=upper, guess=begin(own))
-        return found
+        begin = _between_samples(function, target, lower, upper, guess)
+        return by_blocks(lambda own: invert(function, own, lower=lower, upper=upper, guess=begin(own)), target)
     low: Array = np.array(lower)
     high: Array = np.array(upper)
-    x = np.full(target.shape, guess) if np.ndim(guess) == 0 else np.array(guess)
+    x: Array = np.full(target.shape, guess) if np.ndim(guess) == 0 else np.array(guess)
     for count in range(MOST_ITERATIONS):
         value, slope = function(x)
-        step = _newton_step(x - lower, value, slope, target)
-        new = x + step
-        if np.all(np.abs(step) <= STEP_TOLERANCE * np.minimum(x - lower, upper - x)) and np.all(
-            (new > low) & (new < high)
-        ):
+        distance = x - lower
+        step = _newton_step(distance, value, slope, target)
+        new, length = x + step, np.abs(step)
+        # Newton's method doubles the digits: a step so small, against the distance from where the function may be
+        # singular, leaves nothing to do after it
+        settled = length <= STEP_TOLERANCE * np.minimum(distance, upper - x)
+        if settled.all() and ((new > low) & (new < high)).all():
             return new
         below = value < target
         low = np.where(below, x, low)
         high = np.where(below, high, x)
-        # Newton's method doubles the digits: a step so small, against the distance from where the function may be
-        # singular, leaves nothing to do after it
-        settled = np.abs(step) <= np.maximum(STEP_TOLERANCE * np.minimum(x - lower, upper - x), 4e-16 * x)
+        settled |= length <= 4e-16 * x
         inside = (new > low) & (new < high)
         if count > USUAL_ITERATIONS and count % 2:  # Newton's method goes to and fro about a bend: halve the bracket
             inside &= settled | np.isinf(high)
-        new = np.where(settled & ~inside, x, new)
+        kept = settled & ~inside
+        if kept.any():
+            new = np.where(kept, x, new)
         if settled.all():
             return new
         wild = ~(inside | settled)
@@ -100,6 +98,15 @@ def invert(
     if worst < 1e-12:
         return x
     raise NotConverged(f"No contact radius bears the load: after {MOST_ITERATIONS} steps the misfit is {worst:.1e}.")
+
+
+def by_blocks(function: Callable[..., Array], *numbers: Array) -> Array:
+    """Return a function, element by element, of arrays ``(m,)``, by blocks that stay in the cache."""
+    most = numbers[0].size
+    if most <= MANY:
+        return function(*numbers)
+    blocks = [slice(start, start + BLOCK) for start in range(0, most, BLOCK)]
+    return np.concatenate([function(*(each[block] for each in numbers)) for block in blocks])
 
 
 def _between_samples(

@@ -174,10 +174,14 @@ class GridTransforms:
         """Return what the parts about the nodes bear: their mean pressure over E*, under springs values+."""
         beyond = outer_product(self.outside, np.maximum(values, 0.0))
         if cut.cells.size:
-            positive, whole = cut.positive(self._to_nodes, self.load_of_slope(cut.place))
-            beyond = beyond - (positive @ cut.slope - whole @ cut.cut_slope)
+            # slopes over the positive part of each cell, less those by nodes alone over the whole cell
+            at_place = np.where(cut.falls, cut.slope, -cut.slope)
+            at_start, at_stop = cut.cut_slope - np.where(cut.falls, cut.slope, 0.0), np.where(cut.falls, 0.0, cut.slope)
+            beyond -= self.load_of_slope(cut.place) @ at_place
+            beyond -= self._to_nodes[:, cut.cells] @ at_start
+            beyond -= self._to_nodes[:, cut.cells + 1] @ (at_stop - cut.cut_slope)
         if values[-1] > 0.0:
-            beyond = beyond + values[-1] * self.rim_load
+            beyond += values[-1] * self.rim_load
         beyond[:-1] -= beyond[1:]
         return np.asarray(beyond / self.areas)
 
@@ -213,10 +217,13 @@ def inner_product(matrix: Array, values: Array) -> Array:
 
     Values are zero up to where something slips or wears, and so is the product there.
     """
-    first = int((values != 0.0).argmax())
+    (worn,) = values.nonzero()
     result = np.zeros(values.size)
+    if not worn.size:
+        return result
+    first, stop = int(worn[0]), int(worn[-1]) + 1
     for low, high in _blocks(first, values.size):
-        result[low:high] = matrix[low:high, first:high] @ values[first:high]
+        result[low:high] = matrix[low:high, first : min(high, stop)] @ values[first : min(high, stop)]
     return result
 
 

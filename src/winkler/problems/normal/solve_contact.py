@@ -27,7 +27,7 @@ import numpy as np
 
 from winkler.foundation.bed import Bed, measured_radii
 from winkler.media.body_of import thickness_of
-from winkler.numerics.equations.roots import invert, rough_root
+from winkler.numerics.equations.roots import by_blocks, invert, rough_root
 from winkler.numerics.types import Array, Curve
 from winkler.problems.normal import radius_search
 from winkler.problems.normal.overlap import RISING_SAMPLES, SLOPE_ROUNDING, falling_kinks, refuse_overlap, rises
@@ -55,7 +55,7 @@ def flat_radius(bed: Bed) -> float:
 def at_end(bed: Bed) -> tuple[float, float]:
     """Return depth and force when the contact fills the profile; infinite if it never does."""
     end = end_of(bed)
-    if not np.isfinite(end):
+    if not math.isfinite(end):
         return np.inf, np.inf
     place = np.array([end])
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -100,7 +100,7 @@ def at_depth(bed: Bed, depth: Array) -> tuple[Array, Array]:
     """Return depth and radius of contacts at given depths `(m,)`; radius zero without contact."""
     if bed.rising:
         radius = _radii_at_depth(bed, depth)
-        if rises(bed, float(np.max(radius, initial=0.0))):
+        if rises(bed, float(radius.max(initial=0.0))):
             refuse_unless_discs(bed, depth, radius, end_of(bed))
             return depth.copy(), radius
     radius = radius_search.radii_at_depth(bed, depth, end_of(bed), _guesses(bed, bed.gap))
@@ -131,29 +131,36 @@ def _rising_radii(
     bed: Bed, target: Array, value: Curve, with_slope: Callable[[Array], tuple[Array, Array]], words: tuple[str, str]
 ) -> Array:
     """Return the radii at which a value that rises with the radius, depth or force, meets all loads."""
-    radius = np.zeros(target.shape)
-    last = np.inf if _met_before(bed, value, target) else at_end(bed)[0 if words[0] == "depth" else 1]
-    pinned = target > last if bed.rim <= bed.reach else np.zeros(target.shape, dtype=bool)
-    beyond = (target > last) & ~pinned
-    if beyond.any():
-        word, unit = words
-        raise OutsideValidity(
-            f"{word} {target[beyond][0]:.6g} {unit}{indices_of(beyond)} leads beyond the reach of the profile "
-            f"({bed.reach:.6g} m), where nothing is known of it; give at most {last:.6g} {unit}."
-        )
-    radius[pinned] = end_of(bed)
-    free = (target > 0.0) & ~pinned
-    if free.any():
-        upper, guess = _bracket(bed, value, target[free])
-        root = invert(with_slope, target[free], lower=flat_radius(bed), upper=upper, guess=guess)
-        radius[free] = _not_beyond(bed, root, value(root) > (1.0 + 1e-6) * target[free])
+    most = float(target.max(initial=0.0))
+    last = np.inf if _met_before(bed, value, most) else at_end(bed)[0 if words[0] == "depth" else 1]
+    free, radius = target > 0.0, np.zeros(target.shape)
+    if most > last:
+        beyond = target > last
+        if bed.rim > bed.reach:
+            word, unit = words
+            raise OutsideValidity(
+                f"{word} {target[beyond][0]:.6g} {unit}{indices_of(beyond)} leads beyond the reach of the profile "
+                f"({bed.reach:.6g} m), where nothing is known of it; give at most {last:.6g} {unit}."
+            )
+        free[beyond], radius[beyond] = False, end_of(bed)
+    if not free.any():
+        return radius
+    every = bool(free.all())
+    own = target if every else target[free]
+    upper, guess = _bracket(bed, value, own)
+    root = invert(with_slope, own, lower=flat_radius(bed), upper=upper, guess=guess)
+    far = by_blocks(lambda radii, loads: value(radii) > (1.0 + 1e-6) * loads, root, own)
+    root = _not_beyond(bed, root, far)
+    if every:
+        return root
+    radius[free] = root
     return radius
 
 
-def _met_before(bed: Bed, value: Curve, target: Array) -> bool:
-    """Return whether all loads are met well before the profile ends; there its g may take long to compute."""
-    end, most = end_of(bed), float(np.max(target, initial=0.0))
-    if not np.isfinite(end):
+def _met_before(bed: Bed, value: Curve, most: float) -> bool:
+    """Return whether the greatest load is met well before the profile ends; there its g may take long to compute."""
+    end = end_of(bed)
+    if not math.isfinite(end):
         return False
     place = _guesses(bed, value)(most)
     while place < 0.5 * end:
@@ -185,19 +192,26 @@ def at_force(bed: Bed, force: Array) -> tuple[Array, Array]:
             "pressed together: give a force of zero or more."
         )
     radius = _radius_at_force(bed, force)
+    depth = by_blocks(partial(_depth_under, bed), force, radius)
+    refuse_unless_discs(bed, depth, radius, end_of(bed))
+    return depth, radius
+
+
+def _depth_under(bed: Bed, force: Array, radius: Array) -> Array:
+    """Return the depth [m] of contacts of known radii [m] under forces [N]."""
     # F = k(a) d - load(a) hardly depends on the rounding of a, g(a) may: close above a flat, or deep in a steep flank
     stiffness = bed.stiffness(radius)
     touching = stiffness > 0.0
-    depth = np.where(touching, (force + bed.gap_load(radius)) / np.where(touching, stiffness, 1.0), 0.0)
-    refuse_unless_discs(bed, depth, radius, end_of(bed))
-    return depth, radius
+    if touching.all():
+        return np.asarray((force + bed.gap_load(radius)) / stiffness)
+    return np.where(touching, (force + bed.gap_load(radius)) / np.where(touching, stiffness, 1.0), 0.0)
 
 
 def _radius_at_force(bed: Bed, force: Array) -> Array:
     """Return the radii of contacts under forces that are not tensile."""
     if bed.rising:
         radius = _radii_at_force(bed, force)
-        if rises(bed, float(np.max(radius, initial=0.0))):
+        if rises(bed, float(radius.max(initial=0.0))):
             return radius
     return radius_search.radii_at_force(bed, force, end_of(bed), _guesses(bed, partial(radius_search.forces, bed)))
 
@@ -205,17 +219,17 @@ def _radius_at_force(bed: Bed, force: Array) -> Array:
 def _guesses(bed: Bed, value: Curve) -> Callable[[float], float]:
     """Return what gives, for each of many loads, a radius of the order of the lengths of body, layers and load."""
     length = _length(bed)
-    return lambda target: length if np.isfinite(length) else rough_root(value, target)
+    return lambda target: length if math.isfinite(length) else rough_root(value, target)
 
 
 def _length(bed: Bed) -> float:
     """Return a radius of the order of the lengths of body and layers; infinite if they have none."""
     flat, end, layers = flat_radius(bed), end_of(bed), thickness_of(bed.medium)
-    if np.isfinite(end):
+    if math.isfinite(end):
         return flat + min(0.02 * (end - flat), layers)
     if flat > 0.0:
         return flat + min(flat, layers)
-    if np.isfinite(bed.size):
+    if math.isfinite(bed.size):
         return min(0.02 * bed.size, layers)
     return min([layers, *(b for b, _ in bed.kinks)])
 
@@ -229,10 +243,10 @@ def _bracket(bed: Bed, value: Curve, target: Array) -> tuple[float, float | Arra
     if points.size:  # splines bend from point to point: begin between the right ones
         points = points[points > flat_radius(bed)]
         return end_of(bed), np.exp(np.interp(np.log(target), np.log(value(points)), np.log(points)))
-    end, place = end_of(bed), _guesses(bed, value)(float(np.max(target)))
-    if not np.isfinite(thickness_of(bed.medium)):
+    end, place = end_of(bed), _guesses(bed, value)(float(target.max()))
+    if not math.isfinite(thickness_of(bed.medium)):
         return end, place
-    flat, most = flat_radius(bed), float(np.max(target))
+    flat, most = flat_radius(bed), float(target.max())
     places, values = [place], [float(value(np.array([place]))[0])]
     while values[-1] < most:
         place = flat + 2.0 * (place - flat)

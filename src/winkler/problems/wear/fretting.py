@@ -199,8 +199,8 @@ class FrettingWear(AtGoals):
         lost = 4.0 * self.law.coefficient * float(grid.rings.areas @ (contact.pressure * rubbed.slip))
         return FrettingState(
             **common, radii=moment.nodes, depth=contact.depth, force=contact.force, radius=touching,
-            shift=rubbed.shift, shear_force=rubbed.shear_force, stick_radius=rubbed.stick_radius,
-            slip=rubbed.slip, loss_per_cycle=lost,
+            shift=rubbed.shift, stick_radius=rubbed.stick_radius, slip=rubbed.slip,
+            shear_force=grid.shear_force(contact, self.law.coefficient, rubbed.shift), loss_per_cycle=lost,
         )  # fmt: skip
 
     def gathered(self, states: Iterable[FrettingState]) -> FrettingSolution:

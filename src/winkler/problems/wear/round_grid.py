@@ -23,7 +23,7 @@ from winkler.foundation.foundation import Foundation
 from winkler.loading.loads import Depth, Normal
 from winkler.media.body_of import exponent_of
 from winkler.media.offers import PowerOfDepth, PressedWaves, offers
-from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms, inner_product
+from winkler.numerics.transforms.grid_transforms import GridTransforms, inner_product
 from winkler.numerics.transforms.ring_transforms import RingTransforms
 from winkler.numerics.types import Array
 from winkler.problems.wear.sheared_grid import ShearedGrid, sheared_grid
@@ -46,8 +46,8 @@ class RubbedContact(NamedTuple):
 
     Parameters
     ----------
-    shift, shear_force : float
-        Amplitudes U [m] and F_x [N].
+    shift : float
+        Amplitude U [m].
     stick_radius : float
         c [m].
     slip : ndarray, (n,)
@@ -55,7 +55,6 @@ class RubbedContact(NamedTuple):
     """
 
     shift: float
-    shear_force: float
     stick_radius: float
     slip: Array
 
@@ -116,10 +115,6 @@ class RoundGrid(WornGrid):
             case _:
                 return self.depth_under(float(load.force), gap)
 
-    def force_of(self, stretch: Array, cut: Cuts) -> float:
-        """Return the force [N] of springs pressed by what is positive of a stretch [m]."""
-        return 2.0 * self.modulus * self.rings.pressed(stretch)[0]
-
     @functools.cached_property
     def sheared(self) -> ShearedGrid:
         """What the springs do that are pushed along the surface."""
@@ -142,10 +137,15 @@ class RoundGrid(WornGrid):
         rising = cut.place[~cut.falls]
         core_edge = 0.0 if short[0] > 0.0 else math.inf
         stick = min([contact.radius, core_edge, *np.sqrt(rising).tolist()])
+        return RubbedContact(shift, stick, np.maximum(slip, 0.0))
+
+    def shear_force(self, contact: WornContact, coefficient: float, shift: float) -> float:
+        """Return the amplitude F_x [N] of a shift [m]."""
         # what slides bears the whole friction, less what its core has in excess of the shift
-        excess = -short
+        ratio = self.sheared.ratio
+        excess = coefficient * ratio * np.maximum(self.sheared.bounds(contact.stretch), 0.0) - shift
         core = 2.0 * self.modulus / ratio * self.sheared.rings.integral(excess, self.cuts(excess))
-        return RubbedContact(shift, coefficient * contact.force - core, stick, np.maximum(slip, 0.0))
+        return coefficient * contact.force - core
 
     def shift_under(self, contact: WornContact, coefficient: float, shear_force: float) -> float:
         """Return the shift [m] of a shear force [N] (Ciavarella, Jaeger); at sliding the one from which all slides."""
@@ -160,13 +160,14 @@ class RoundGrid(WornGrid):
 def level_under(rings: GridTransforms, modulus: float, force: float, gap: Array) -> float:
     """Return the depth [m] at which springs of these transforms under a gap [m] bear a force [N]."""
     # the force at the depths of the nodes, as if g never fell, gives the start
-    climbing = np.maximum.accumulate(gap)
-    areas = 2.0 * modulus * rings.springs_at_nodes
-    means = np.cumsum(np.append(0.0, np.diff(areas) * 0.5 * (climbing[1:] + climbing[:-1])))
-    depth = float(np.interp(force, climbing * areas - means, climbing))
+    climbing, areas = np.maximum.accumulate(gap), 2.0 * modulus * rings.springs_at_nodes
+    rises = climbing[1:] - climbing[:-1]
+    rises *= 0.5 * (areas[1:] + areas[:-1])
+    loads = np.concatenate((climbing[:1] * areas[:1], rises)).cumsum()
+    depth = float(np.interp(force, loads, climbing))
     if depth == climbing[-1]:
-        depth = float((force + means[-1]) / areas[-1])
-    low, high = float(np.min(gap)), math.inf
+        depth += (force - float(loads[-1])) / float(areas[-1])
+    low, high, reach = float(gap.min()), math.inf, float(np.abs(gap).max())
     for trial in range(MOST_TRIALS):
         stretch = depth - gap
         borne, wide = rings.pressed(stretch)
@@ -180,7 +181,7 @@ def level_under(rings: GridTransforms, modulus: float, force: float, gap: Array)
         # stiff layers part and touch again from depth to depth: halving is slow, but settles
         if trial > LATE_TRIAL and high < math.inf:
             following = 0.5 * (low + high)
-        if abs(following - depth) <= DEPTH_TOLERANCE * float(np.max(np.abs(gap))):
+        if abs(following - depth) <= DEPTH_TOLERANCE * reach:
             return following
         depth = following
     raise NotConverged(f"The worn contact finds no depth at which it bears {force:.6g} N; give more cells (count).")

@@ -25,7 +25,6 @@ import numpy as np
 
 from winkler.foundation.line_bed import LineBed
 from winkler.loading.loads import LineForce
-from winkler.numerics.transforms.grid_transforms import Cuts
 from winkler.numerics.types import Array
 from winkler.problems.wear.sheared_grid import ShearedGrid, sheared_strips
 from winkler.problems.wear.worn_grid import WornContact, WornGrid
@@ -75,10 +74,6 @@ class StripGrid(WornGrid):
     def depth_at(self, load: LineForce, gap: Array) -> float:
         """Return P/E* [m]."""
         return float(load.force_per_length) / self.modulus
-
-    def force_of(self, stretch: Array, cut: Cuts) -> float:
-        """Return the force per length [N/m]."""
-        return self.modulus * self.transforms.integral(stretch, cut)
 
     def sunk(self, contact: WornContact, worn: Array) -> float:
         """As `WornGrid.sunk`: what the load stands for, and what was worn off."""

@@ -93,10 +93,6 @@ class WornGrid:
         """Return the depth [m], or what stands for it, under a load and a gap [m]."""
         raise NotImplementedError
 
-    def force_of(self, stretch: Array, cut: Cuts) -> float:
-        """Return the force [N], or that per length [N/m], of springs pressed by what is positive of a stretch [m]."""
-        raise NotImplementedError
-
     def sunk(self, contact: WornContact, worn: Array) -> float:
         """Return how far the bodies have come together [m], wear included.
 
@@ -126,10 +122,10 @@ class WornGrid:
         stretch = depth - gap
         cut = self.cuts(stretch)
         pressure = self.modulus * self.transforms.borne(stretch, cut)
+        force = float(self.transforms.areas @ pressure)
         radius = float(self.nodes[-1]) if stretch[-1] > 0.0 else math.sqrt(cut.edge)
         # nothing pulls: what is left of tension between two nodes that touch is no pressure
-        force, worn_depth = self.force_of(stretch, cut), float(np.max(worn))
-        return WornContact(depth, force, radius, stretch, np.maximum(pressure, 0.0), worn_depth)
+        return WornContact(depth, force, radius, stretch, np.maximum(pressure, 0.0), float(worn.max()))
 
     def touching(self, contact: WornContact, worn: Array, slack: float) -> float:
         """Return up to which distance from the middle the surfaces touch [m].
