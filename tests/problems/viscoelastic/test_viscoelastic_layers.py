@@ -195,7 +195,8 @@ def test_what_is_refused():
         with pytest.raises(InvalidInput, match=why):
             ViscoelasticCoatedHalfSpace([ViscoelasticLayer(solid, 0.1)], on=BASE)
     with pytest.raises(InvalidInput, match="relax each by a law of its own"):
-        wk.FrictionDamping(bed(ViscoelasticCoatedHalfSpace([layer], on=BASE)), wk.Coulomb(0.3), wk.Depth(1e-3), wk.Shift(1e-6), frequency=1.0)
+        coated = bed(ViscoelasticCoatedHalfSpace([layer], on=BASE))
+        wk.FrictionDamping(coated, wk.Coulomb(0.3), wk.Depth(1e-3), wk.Shift(1e-6), frequency=1.0)
     with pytest.raises(InvalidInput, match="body of revolution"):
         CreepTest(wk.PlaneFoundation(BALL, COATED), 1.0, [1.0])
     rubber = StandardSolid(1.0, 4.0, 1.0, poisson=0.5)
