@@ -77,8 +77,6 @@ def uppermost(bed: Bed) -> Bed:
 
 def contact_reach(owner: str, bed: Bed, normal: Depth | Force, most: float) -> float:
     """Return up to which radius [m] cells are needed for contacts up to a depth [m] or force [N]."""
-    assert isinstance(bed, OnMedium)
-    assert offers(bed.medium, RelaxingByWaves)
     by_depth = isinstance(normal, Depth)
     _, radius = (at_depth if by_depth else at_force)(uppermost(bed), np.array([most]))
     end = min(bed.rim, bed.reach)
