@@ -71,6 +71,7 @@ from winkler.numerics.transforms.strips.strip_modes import (
     signs,
 )
 from winkler.numerics.types import Array
+from winkler.profiles.conical import power_of
 from winkler.profiles.profile import Profile
 from winkler.values.checks.number_checks import Advice, Positive
 from winkler.values.errors import OutsideValidity
@@ -228,9 +229,10 @@ class LayeredLineFoundation(LineBed):
 
     @property
     def alike(self) -> tuple[object, ...]:
-        """What beds have in common whose strips press alike, but for the modulus; under cylinders at one a/h."""
+        """What beds have in common whose strips press alike, but for the modulus; under powers at one a/h."""
         own, unit = in_own_lengths(self.medium.response)
-        return (own,) if self.half_plane.hertzian else (self.profile, own, unit)
+        exponent = power_of(self.profile)[1]
+        return (exponent, own) if exponent else (self.profile, own, unit)
 
     def solved(self, half_width: Array) -> StripResponse:
         """Return what the layers add under strips [m]."""

@@ -14,12 +14,13 @@ from winkler.numerics.transforms.abel import root_difference
 from winkler.numerics.types import Array
 from winkler.profiles.half_angle import HalfAngle
 from winkler.profiles.pieces import PowerPieces, Term
-from winkler.profiles.profile import RisingShape
+from winkler.profiles.power import Paraboloid, PowerLaw
+from winkler.profiles.profile import Profile, RisingShape
 from winkler.values.checks.number_checks import Positive, PositiveNotTiny
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
 
-__all__ = ["Berkovich", "Cone", "CubeCorner", "RoundedCone", "SpheroConical", "TruncatedCone", "Vickers"]
+__all__ = ["Berkovich", "Cone", "CubeCorner", "RoundedCone", "SpheroConical", "TruncatedCone", "Vickers", "power_of"]
 
 
 @value
@@ -245,3 +246,16 @@ class Vickers(_EqualAreaCone):
 
     _area = 4.0 * math.tan(math.radians(68.0)) ** 2
     _error = "2.6 %"
+
+
+def power_of(profile: Profile) -> tuple[float, float]:
+    """Return c and n of a profile c r^n; zeros if it is none."""
+    match profile:
+        case PowerLaw(coefficient, exponent):
+            return coefficient, exponent
+        case Paraboloid(radius):
+            return 0.5 / radius, 2.0
+        case Cone(half_angle):
+            return 1.0 / math.tan(half_angle), 1.0
+        case _:
+            return 0.0, 0.0

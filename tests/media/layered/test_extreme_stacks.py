@@ -55,3 +55,27 @@ def test_stiff_layers_on_thin_soft_films(contrast):
     a = 1e-4
     wanted = 2.0 * medium.modulus * a / (1.0 + a * at_zero)
     assert float(medium.punch_stiffness(np.array(a))) == pytest.approx(wanted, rel=1e-8)
+
+
+def test_wide_contacts_solve_what_they_need(monkeypatch):
+    """A soft incompressible layer a thousandth as thick as its contact: each octave once, and none beyond the contact.
+
+    The digits that such layers squeeze out end the series; octaves were halved for them, and searched one too far.
+    """
+    from winkler.numerics.transforms import punch_tables
+
+    solved, solve = [], punch_tables._solve
+
+    def counted(response, low, high):
+        solved.append((low, high))
+        return solve(response, low, high)
+
+    monkeypatch.setattr(punch_tables, "_solve", counted)
+    medium = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(1.03e-6, 0.5), 1.0)], on=wk.Elastic(1.0, 0.3))
+    contact = wk.Indentation(wk.Foundation(wk.Paraboloid(1e6), medium), wk.Depth(1.0)).solve()
+    assert 1000.0 < contact.radius < 1200.0
+    widest = max(high for _, high in solved)
+    assert widest < 2.0 * contact.radius
+    wide = [pair for pair in solved if pair[1] > 250.0]
+    assert len(wide) == len({high for _, high in wide}) <= 3
+    assert all(low == 0.5 * high for low, high in wide)

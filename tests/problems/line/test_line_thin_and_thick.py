@@ -82,18 +82,24 @@ def test_another_modulus_solves_no_equation(monkeypatch):
         load(2.1e11, 3.5)
 
 
-def test_another_thickness_and_radius_solve_no_equation(monkeypatch):
-    """200 loads at the same ratios of half-width and thickness; the loads over E* are as h^2 / R."""
+@pytest.mark.parametrize("power", [1.0, 2.0, 2.5, 4.0])
+def test_another_thickness_and_radius_solve_no_equation(power, monkeypatch):
+    """200 loads at the same ratios of half-width and thickness under c x^n; the loads over E* are as c h^n."""
     from winkler.foundation import layered_line
 
-    def loads(thickness, radius):
+    def loads(thickness, coefficient):
+        shape = wk.Paraboloid(0.5 / coefficient) if power == 2.0 else wk.PowerLaw(coefficient, power)
         medium = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(1.0, 0.3), thickness)], on=wk.Elastic(5.3, 0.2))
-        bed = wk.LayeredLineFoundation(wk.Paraboloid(radius), medium)
-        return bed.load_profile(thickness * np.geomspace(0.1, 3.0, 200)) * radius / thickness**2
+        bed = wk.LayeredLineFoundation(shape, medium)
+        return bed.load_profile(thickness * np.geomspace(0.1, 3.0, 200)) / (coefficient * thickness**power)
 
-    first = loads(1.0, 2.0)
+    first = loads(1.0, 0.25)
     monkeypatch.setattr(layered_line, "strip_responses", None)
-    assert loads(0.37e-6, 3e-3) == pytest.approx(first, rel=1e-12)
+    assert loads(0.37e-6, 170.0) == pytest.approx(first, rel=1e-12)
+    if power == 1.0:
+        cone = wk.LayeredLineFoundation(wk.Cone(np.arctan(4.0)), wk.CoatedHalfSpace(
+            [wk.Layer(wk.Elastic(1.0, 0.3), 1.0)], on=wk.Elastic(5.3, 0.2)))  # fmt: skip
+        assert cone.load_profile(np.geomspace(0.1, 3.0, 200)) == pytest.approx(0.25 * first, rel=1e-12)
 
 
 @pytest.mark.parametrize("profile", [wk.Paraboloid(1.0), wk.PowerLaw(0.5, 3.5), wk.RoundedCone(0.2, 0.3)])

@@ -35,8 +35,8 @@ from winkler.numerics.transforms import fredholm, punch_tables
 from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths, scaled_response
 from winkler.numerics.transforms.kernel_matrix import panel_nodes
 from winkler.numerics.types import Array
-from winkler.profiles.conical import Cone
-from winkler.profiles.power import Paraboloid, PowerLaw
+from winkler.profiles.conical import power_of
+from winkler.profiles.power import PowerLaw
 from winkler.profiles.profile import Profile
 
 __all__ = ["gap", "gap_load", "gap_slope", "kinks"]
@@ -102,23 +102,10 @@ def _within_profile(profile: Profile, x: Array) -> Array:
     return np.minimum(x, _end(profile))
 
 
-def _power(profile: Profile) -> tuple[float, float]:
-    """Return c and n of a profile c r^n; zeros if it is none."""
-    match profile:
-        case PowerLaw(coefficient, exponent):
-            return coefficient, exponent
-        case Paraboloid(radius):
-            return 0.5 / radius, 2.0
-        case Cone(half_angle):
-            return 1.0 / math.tan(half_angle), 1.0
-        case _:
-            return 0.0, 0.0
-
-
 def _moments(response: WaveResponse, profile: Profile, x: Array) -> Array:
     """Return the integral of rho h, its derivative, and that of phi h, ``(3, *x.shape)``."""
     own, unit = in_own_lengths(response)
-    coefficient, exponent = _power(profile)
+    coefficient, exponent = power_of(profile)
     if exponent == 0.0:
         return _moments_of(response if unit == 1.0 else scaled_response(own, unit), profile, x)
     height = coefficient * unit**exponent

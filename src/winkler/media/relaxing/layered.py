@@ -57,8 +57,8 @@ VANISHED_DEPTH = 44.0
 class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
     """Bonded layers on a half-space or a rigid base, of which each may relax by a law of its own.
 
-    Its response depends on time, and not in proportion: `ViscoelasticIndentation`, `CreepTest`, `RelaxationTest` and
-    `HarmonicIndentation` know it, and under lines `LineViscoelasticIndentation`.
+    Its response depends on time, and not in proportion: `ViscoelasticIndentation`, `CreepTest`, `RelaxationTest`,
+    `HarmonicIndentation` and `ViscoelasticImpact` know it, and under lines `LineViscoelasticIndentation`.
 
     Parameters
     ----------

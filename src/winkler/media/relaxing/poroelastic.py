@@ -59,9 +59,8 @@ class PoroelasticFilm(RelaxingByWaves):
     The body that is pressed in lets the liquid through, as the bath beside it does.  Where a contact is wider than some
     40 thicknesses, what creeps within 1e-5 h^2/D comes at once: the peak of an undrained film, hundreds of times the
     later force, is over long before (the force is then 3 % too high at 1e-4 h^2/D, 0.3 % at 1e-3).  Its response
-    depends on time:
-    `ViscoelasticIndentation`, `CreepTest`, `RelaxationTest` and `HarmonicIndentation` know it, and under
-    lines `LineViscoelasticIndentation`.
+    depends on time: `ViscoelasticIndentation`, `CreepTest`, `RelaxationTest`, `HarmonicIndentation` and
+    `ViscoelasticImpact` know it, and under lines `LineViscoelasticIndentation`.
 
     Parameters
     ----------

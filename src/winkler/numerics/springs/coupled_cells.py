@@ -140,12 +140,17 @@ class CoupledCells:
         near = kernel[: self.count]  # given twice: a complex row alone would be conjugated
         return np.asarray(toeplitz(near, near) + hankel(kernel[1 : self.count + 1], kernel[self.count :]))
 
-    def step(self, state: LoadedCells, span: float, depth: float | None, force: float | None) -> LoadedCells:
-        """Return the cells after a time [s], zero for a sudden change, at a depth [m] or under a force [N]."""
+    def step(
+        self, state: LoadedCells, span: float, depth: float | None, force: float | None, beside: float = 0.0
+    ) -> LoadedCells:
+        """Return the cells after a time [s], zero for a sudden change, at a depth [m] or under a force [N].
+
+        A spring beside them, of a stiffness [N/m] and without force at no depth, may bear a part of the force.
+        """
         from scipy.linalg.lapack import dtrtrs
 
         factor = self._factor(span)
-        depth, pressed, bears, held = self._pressed(factor, state, depth, force)
+        depth, pressed, bears, held = self._pressed(factor, state, depth, force, beside)
         # behind the contact the load is zero: the leading block of the factor is that of the contact
         load = np.zeros(self.count)
         if held:
@@ -165,7 +170,7 @@ class CoupledCells:
         return BorneCells(depth, 2.0 * float(pressed[:held] @ factor.unit[:held]), held)
 
     def _pressed(
-        self, factor: _Factor, state: LoadedCells, depth: float | None, force: float | None
+        self, factor: _Factor, state: LoadedCells, depth: float | None, force: float | None, beside: float = 0.0
     ) -> tuple[float, Array, Array, int]:
         """Return depth, displacements v of independent springs ``(n,)``, which of them bear, and how many in a row."""
         from scipy.linalg.lapack import dtrtrs
@@ -174,17 +179,19 @@ class CoupledCells:
         offset = -self.width * self.shape - self.restored(dent)
         still, _ = dtrtrs(factor.lower, offset, lower=1)
         if depth is None:
-            depth = self._depth_under(force or 0.0, factor.unit, still)
+            depth = self._depth_under(force or 0.0, factor.unit, still, beside)
         pressed = depth * factor.unit + still
         bears = pressed > 0.0
         return depth, pressed, bears, self.count if bears.all() else int(np.argmin(bears))
 
-    def _depth_under(self, force: float, unit: Array, still: Array) -> float:
-        """Return the depth at which independent springs bear a force."""
+    def _depth_under(self, force: float, unit: Array, still: Array, beside: float) -> float:
+        """Return the depth at which independent springs, and one beside them, bear a force."""
         touched = -still / unit
+        if beside > 0.0 and force <= beside * touched[0]:
+            return force / beside
         if force <= 0.0:
             return float(np.min(touched))
-        stiffness, offset = np.cumsum(unit * unit), np.cumsum(unit * still)
+        stiffness, offset = np.cumsum(unit * unit) + 0.5 * beside, np.cumsum(unit * still)
         beyond = 2.0 * (touched[1:] * stiffness[:-1] + offset[:-1]) >= force
         last = int(np.argmax(beyond)) if beyond.any() else self.count - 1
         return float((0.5 * force - offset[last]) / stiffness[last])

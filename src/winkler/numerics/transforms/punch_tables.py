@@ -48,7 +48,7 @@ WIDEST = 8e5
 MOST_HALVINGS = 4
 """How often an octave of radii may be halved."""
 SHORTENED_RATIO = 0.1
-"""What halving leaves of the end of a series, at the most, unless it is rounding."""
+"""What three coefficients leave of the end of a series, at the most, unless it is rounding."""
 
 
 class Punches(NamedTuple):
@@ -115,32 +115,36 @@ def _tables(response: WaveResponse, octave: int) -> tuple[Punches, ...]:
             "layer are lost in rounding. Request narrower contacts, or leave out a layer that is so thin."
         )
     low = 0.5 * high if octave else 0.0
-    return _resolved(response, *_solve(response, low, high), MOST_HALVINGS)
+    return _resolved(response, _solve(response, low, high), MOST_HALVINGS)
 
 
-def _resolved(response: WaveResponse, table: Punches, tail: float, halvings: int) -> tuple[Punches, ...]:
+def _resolved(response: WaveResponse, table: Punches, halvings: int) -> tuple[Punches, ...]:
     """Return a table, or those of so many halvings of its radii that their series end."""
+    tail, level = _ends(table)
     rounded = ROUNDING_RATIO * float(np.max(np.abs(table.phi)))
     if tail <= max(10.0 * _settled(response), rounded):
         return (table,)
-    middle, accepted = 0.5 * (table.low + table.high), _accepted(response, table.high)
-    if halvings and LAST_TOLERANCE < accepted >= tail:  # digits are squeezed out at the widest radii first
-        wider = _solve(response, middle, table.high)
-        if wider[1] >= SHORTENED_RATIO * tail:
-            return (table,)
-        halves = [_solve(response, table.low, middle), wider]
-    else:
-        ends = ((table.low, middle), (middle, table.high)) if halvings else ()
-        halves = [_solve(response, *pair) for pair in ends]
-    if tail <= accepted and all(end >= SHORTENED_RATIO * tail for _, end in halves):
+    if tail <= _accepted(response, table.high) and (level or not halvings):
         return (table,)  # rounding keeps the series from ending
-    if not halves:
+    if not halvings:
         raise NotConverged(
             f"Flat punches with radii of {table.low / response.length:.3g} to {table.high / response.length:.3g} "
             f"{IN_LENGTHS} are not resolved (the series ends at {tail:.1e}); the contrasts of the stack are "
             "beyond what winkler can carry: request narrower contacts."
         )
-    return tuple(part for half, end in halves for part in _resolved(response, half, end, halvings - 1))
+    middle = 0.5 * (table.low + table.high)
+    halves = (_solve(response, *ends) for ends in ((table.low, middle), (middle, table.high)))
+    return tuple(part for half in halves for part in _resolved(response, half, halvings - 1))
+
+
+def _ends(table: Punches) -> tuple[float, bool]:
+    """Return how far series in a are from their end, and whether these no longer fall there: the rest is rounding."""
+    series = table.area, table.edge, table.rho
+    sizes = [np.max(np.abs(one), axis=tuple(range(1, one.ndim))) for one in series]
+    ends = np.array([(np.max(size[-3:]), np.max(size[-6:-3])) for size in sizes])
+    ends /= np.array([np.max(sizes[0]), np.max(sizes[1]), max(float(np.max(sizes[2])), 1.0)])[:, None]
+    last = ends[np.argmax(ends[:, 0])]
+    return float(last[0]), bool(last[0] >= SHORTENED_RATIO * last[1])
 
 
 def _panels(response: WaveResponse, high: float) -> Array:
@@ -153,8 +157,8 @@ def _panels(response: WaveResponse, high: float) -> Array:
     return halving_panels(halvings)
 
 
-def _solve(response: WaveResponse, low: float, high: float) -> tuple[Punches, float]:
-    """Return the punches between two radii, and how far their series in a is from its end."""
+def _solve(response: WaveResponse, low: float, high: float) -> Punches:
+    """Return the punches between two radii."""
     panels = _panels(response, high)
     count = _enough(response, high, panels)
     many = RADII_PER_OCTAVE if _settled(response) == SETTLED_TOLERANCE else FEWER_RADII_PER_OCTAVE
@@ -170,10 +174,7 @@ def _solve(response: WaveResponse, low: float, high: float) -> tuple[Punches, fl
     )
     turn = _to_pressure(panels.size - 1, inner.shape[0])
     push = edge_[:, None, None] * (np.arange(inner.shape[0]) == 0) - np.einsum("piqj,kqj->kpi", turn, phi)
-    tails = [np.max(np.abs(series[-3:])) / np.max(np.abs(series)) for series in (area_, edge_)]
-    scale = max(float(np.max(np.abs(rho))), 1.0)
-    tails.append(np.max(np.abs(rho[-3:])) / scale)
-    return Punches(low, high, panels, area_, edge_, phi, rho, push), float(max(tails))
+    return Punches(low, high, panels, area_, edge_, phi, rho, push)
 
 
 @functools.cache

@@ -34,6 +34,7 @@ from winkler.problems.line.adhesion_notes import adhesion_notes
 from winkler.problems.line.cohesive import CohesiveLineStates
 from winkler.problems.line.equilibria import FIXED_GRIPS, LineLaw, line_states
 from winkler.problems.line.layered_strip import OnLayers
+from winkler.problems.line.pressing_load import OfWidth
 from winkler.problems.line.strip import OfStrip, Strip
 from winkler.problems.one_load import one_of, single
 from winkler.values.errors import OutsideValidity
@@ -138,7 +139,7 @@ def _is_stable(problem: LineAdhesion, half_width: Array) -> Array:
 
 
 @value
-class LineAdhesionSolution(OfStrip, PerLoad[Q]):
+class LineAdhesionSolution(OfStrip, OfWidth[Q]):
     """The solution of a `LineAdhesion`; force, half-width and what follows from them have the shape of the load.
 
     Parameters
@@ -163,12 +164,6 @@ class LineAdhesionSolution(OfStrip, PerLoad[Q]):
     stable: bool | Array
 
     per_load: ClassVar[str] = "half_width"
-
-    @property
-    def mean_pressure(self) -> Q:
-        """P / (2 a) [Pa], negative where the contact is pulled; zero without contact."""
-        width = 2.0 * np.asarray(self.half_width)
-        return shaped(np.asarray(self.force_per_length) / np.where(width > 0.0, width, 1.0))
 
     @property
     def edge_load(self) -> Q:

@@ -23,7 +23,7 @@ from winkler.problems.line.greatest_stress import Placed, greatest, von_mises
 from winkler.problems.line.half_width import refuse_unless_strips, under_force, under_mean_pressure, widest_allowed
 from winkler.problems.line.layered_strip import OnLayers
 from winkler.problems.line.peak_pressure import peak_pressure, rim_load
-from winkler.problems.line.pressing_load import given_by, pressing
+from winkler.problems.line.pressing_load import OfWidth, given_by, pressing
 from winkler.problems.line.references import Reference
 from winkler.problems.line.stress import LineContact, LineFields
 from winkler.problems.line.strip import OfStrip, Strip
@@ -105,7 +105,7 @@ class LineIndentation(PerLoad[Q]):
 
 
 @value
-class LineSolution(OfStrip, PerLoad[Q]):
+class LineSolution(OfStrip, OfWidth[Q]):
     """The solution of a `LineIndentation`; every quantity has the shape of the load.
 
     Parameters
@@ -123,12 +123,6 @@ class LineSolution(OfStrip, PerLoad[Q]):
     half_width: Q
 
     per_load: ClassVar[str] = "half_width"
-
-    @property
-    def mean_pressure(self) -> Q:
-        """P / (2 a) [Pa]; zero without contact."""
-        width = 2.0 * np.asarray(self.half_width)
-        return shaped(np.asarray(self.force_per_length) / np.where(width > 0.0, width, 1.0))
 
     @property
     def peak_pressure(self) -> Q:

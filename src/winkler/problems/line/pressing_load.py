@@ -1,14 +1,14 @@
-"""The numbers of a load that presses a line contact together."""
+"""The numbers of a load that presses a line contact together, and the mean pressure that it makes."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from winkler.loading.loads import HalfWidth, LineForce, MeanPressure, NominalPressure
-from winkler.numerics.types import Array, Quantity
+from winkler.numerics.types import Array, PerLoad, Q, Quantity, shaped
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["PressingLoad", "given_by", "pressing"]
+__all__ = ["OfWidth", "PressingLoad", "given_by", "pressing"]
 
 PressingLoad = LineForce | HalfWidth | MeanPressure | NominalPressure
 
@@ -35,3 +35,16 @@ def pressing(owner: str, load: PressingLoad) -> Array:
             "together: give zero or more."
         )
     return row
+
+
+class OfWidth(PerLoad[Q]):
+    """The part of a solution that force and half-width of a strip determine."""
+
+    force_per_length: Q
+    half_width: Q
+
+    @property
+    def mean_pressure(self) -> Q:
+        """P / (2 a) [Pa], negative where the contact is pulled; zero without contact."""
+        width = 2.0 * np.asarray(self.half_width)
+        return shaped(np.asarray(self.force_per_length) / np.where(width > 0.0, width, 1.0))

@@ -38,6 +38,7 @@ from winkler.problems.line.half_width import refuse_unless_strips
 from winkler.problems.line.layered_notes import strip_notes
 from winkler.problems.line.layered_stress import layered_fields
 from winkler.problems.line.layered_yield import Share, full_on_layers
+from winkler.problems.line.pressing_load import OfWidth
 from winkler.problems.line.stress import LineContact, LineFields, stresses
 from winkler.problems.line.strip import Strip
 from winkler.problems.line.validity import line_notes
@@ -128,7 +129,7 @@ class LineShakedown:
 
 
 @value
-class LineShakedownSolution:
+class LineShakedownSolution(OfWidth[float]):
     """The solution of `LineShakedown`.
 
     Parameters
@@ -149,11 +150,6 @@ class LineShakedownSolution:
     half_width: float
     x: float
     z: float
-
-    @property
-    def mean_pressure(self) -> float:
-        """P / (2 a) [Pa]."""
-        return 0.5 * self.force_per_length / self.half_width
 
     @property
     def validity(self) -> tuple[Note, ...]:

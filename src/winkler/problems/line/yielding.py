@@ -22,6 +22,7 @@ from winkler.problems.line.greatest_stress import von_mises
 from winkler.problems.line.half_width import refuse_unless_strips
 from winkler.problems.line.layered_notes import strip_notes
 from winkler.problems.line.layered_yield import at_strength_on_layers
+from winkler.problems.line.pressing_load import OfWidth
 from winkler.problems.line.validity import line_notes
 from winkler.problems.normal.onset.part_onset import NAME, PART, onset_note
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
@@ -136,7 +137,7 @@ class LineYieldOnset:
 
 
 @value
-class LineYieldOnsetSolution:
+class LineYieldOnsetSolution(OfWidth[float]):
     """The solution of `LineYieldOnset`.
 
     Parameters
@@ -163,11 +164,6 @@ class LineYieldOnsetSolution:
     x: float
     z: float
     onsets: tuple[LinePartOnset, ...]
-
-    @property
-    def mean_pressure(self) -> float:
-        """P / (2 a) [Pa]."""
-        return 0.5 * self.force_per_length / self.half_width
 
     @property
     def validity(self) -> tuple[Note, ...]:

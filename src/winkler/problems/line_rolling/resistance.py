@@ -31,6 +31,7 @@ from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array, ArrayLike, PerLoad, Q, like, shaped
 from winkler.problems.assumptions.declared import RELAXING
 from winkler.problems.assumptions.times import times_notes
+from winkler.problems.line.pressing_load import OfWidth
 from winkler.problems.line_rolling.passage import passage
 from winkler.problems.line_rolling.pressed import OneLineLoad, refuse_unless_round
 from winkler.problems.normal.unknown_yield import relaxing_yield
@@ -134,7 +135,7 @@ class LineRollingResistance(PerLoad[Q]):
 
 
 @value
-class LineRollingResistanceSolution(PerLoad[Q]):
+class LineRollingResistanceSolution(OfWidth[Q]):
     """The solution of a `LineRollingResistance`; every quantity has the shape of the speed.
 
     Parameters
@@ -171,11 +172,6 @@ class LineRollingResistanceSolution(PerLoad[Q]):
     def coefficient(self) -> Q:
         """Q / P [-], the coefficient of rolling resistance."""
         return shaped(np.asarray(self.shear_force_per_length) / np.asarray(self.force_per_length))
-
-    @property
-    def mean_pressure(self) -> Q:
-        """P over the width [Pa]."""
-        return shaped(0.5 * np.asarray(self.force_per_length) / np.asarray(self.half_width))
 
     @property
     def peak_pressure(self) -> Q:

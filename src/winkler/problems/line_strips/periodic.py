@@ -27,7 +27,7 @@ from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.half_width import borne_at_most, refuse_unless_strips, under_force
 from winkler.problems.line.layered_stress import layered_fields
 from winkler.problems.line.peak_pressure import rim_load
-from winkler.problems.line.pressing_load import given_by, pressing
+from winkler.problems.line.pressing_load import OfWidth, given_by, pressing
 from winkler.problems.line.stress import LineFields, one_coefficient
 from winkler.problems.line.strip import Stressed, Strip
 from winkler.problems.line_strips.periodic_notes import closing_load, periodic_notes, periodic_peak
@@ -165,7 +165,7 @@ class PeriodicIndentation(PerLoad[Q]):
 
 
 @value
-class PeriodicSolution(Stressed, PerLoad[Q]):
+class PeriodicSolution(Stressed, OfWidth[Q]):
     """The solution of a `PeriodicIndentation`; every quantity has the shape of the load.
 
     Parameters
@@ -197,12 +197,6 @@ class PeriodicSolution(Stressed, PerLoad[Q]):
     def contact_share(self) -> Q:
         """2 a / pitch [-]."""
         return shaped(2.0 * np.asarray(self.half_width) / self.problem.pitch)
-
-    @property
-    def mean_pressure(self) -> Q:
-        """P / (2 a) [Pa], that of the strips; zero without contact."""
-        width = 2.0 * np.asarray(self.half_width)
-        return shaped(np.asarray(self.force_per_length) / np.where(width > 0.0, width, 1.0))
 
     @property
     def peak_pressure(self) -> Q:

@@ -23,6 +23,7 @@ from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.line.approach import Place
 from winkler.problems.line.peak_pressure import is_sharp
+from winkler.problems.line.pressing_load import OfWidth
 from winkler.problems.line_viscoelastic.layered_strips import (
     elastic_line,
     layered_pressure,
@@ -39,7 +40,7 @@ BLOCK = 2**20
 
 
 @value
-class LineViscoelasticState:
+class LineViscoelasticState(OfWidth[float]):
     """A line contact of bodies that relax at one moment.
 
     Parameters
@@ -79,11 +80,6 @@ class LineViscoelasticState:
     position: Array
     line_load: Array
     recess: Array
-
-    @property
-    def mean_pressure(self) -> float:
-        """P / (2 a) [Pa]; zero without contact."""
-        return 0.5 * self.force_per_length / self.half_width if self.half_width > 0.0 else 0.0
 
     @property
     def peak_pressure(self) -> float:

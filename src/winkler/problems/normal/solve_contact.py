@@ -36,6 +36,9 @@ from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["at_depth", "at_end", "at_force", "at_radius", "end_of", "flat_radius", "indices_of"]
 
+FARTHER = 1.1
+"""How much farther than where the power of two values leads a place beyond a load is sought."""
+
 
 def end_of(bed: Bed) -> float:
     """Return the radius [m] at which the profile ends, at a rim or where it is no longer known."""
@@ -249,7 +252,7 @@ def _bracket(bed: Bed, value: Curve, target: Array) -> tuple[float, float | Arra
     flat, most = flat_radius(bed), float(target.max())
     places, values = [place], [float(value(np.array([place]))[0])]
     while values[-1] < most:
-        place = flat + 2.0 * (place - flat)
+        place = flat + _onward(places, values, flat, most) * (place - flat)
         places.append(min(place, end))
         if place >= end:  # where g may be infinite
             break
@@ -259,6 +262,14 @@ def _bracket(bed: Bed, value: Curve, target: Array) -> tuple[float, float | Arra
         return end, places[0]
     beside, below = np.log(np.array(samples)).T
     return places[-1], np.clip(flat + np.exp(np.interp(np.log(target), below, beside)), places[0], places[-1])
+
+
+def _onward(places: list[float], values: list[float], flat: float, most: float) -> float:
+    """Return how much farther than the last place beyond a flat to go: to where the power of two values leads, or 2."""
+    if len(values) < 2 or not 0.0 < values[-2] < values[-1]:
+        return 2.0
+    steps = np.diff(np.log(np.array([places[-2:], values[-2:]]) - np.array([[flat], [0.0]])))[:, 0]
+    return float(min(2.0, FARTHER * (most / values[-1]) ** (steps[0] / steps[1])))
 
 
 def refuse_unless_discs(bed: Bed, depth: Array, radius: Array, end: float) -> None:

@@ -10,20 +10,24 @@ springs; so what it loses in kinetic energy is exactly the work done on them.
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Annotated, ClassVar
 
 import numpy as np
 
 from winkler.foundation.bed import Bed
 from winkler.foundation.springs import Springs
-from winkler.numerics.springs.exponential_sums import RelaxationSeries
+from winkler.loading.loads import Depth
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import BALANCED, RELAXING
 from winkler.problems.assumptions.energy import energy_note
 from winkler.problems.assumptions.inertia import wave_loss, wave_note
 from winkler.problems.assumptions.times import times_notes
 from winkler.problems.normal.length_scale import shape_length
-from winkler.problems.normal.solve_contact import at_depth
+from winkler.problems.normal.solve_contact import at_depth, at_end
+from winkler.problems.viscoelastic.layered_march import LayeredMarch, TooNarrow, cells_of
+from winkler.problems.viscoelastic.layered_notes import layered_notes, resolution_note
+from winkler.problems.viscoelastic.layered_path import WIDENED, contact_reach, is_layered, uppermost
 from winkler.problems.viscoelastic.march import SpringMemory, SpringRow, elastic_like, refuse_rings, relaxation_of
 from winkler.problems.viscoelastic.validity import relaxing_notes
 from winkler.values.checks.number_checks import Positive, PositiveNotTiny, Whole, between
@@ -39,11 +43,17 @@ FIRST_STEPS = 125
 MOST_STEPS = 16_000
 LONGEST_CONTACT = 400
 """Longest contact, in these times."""
+DEEPEST = 0.05
+"""Part of the depth at which a profile ends with which trials on layers begin at the most."""
+SHALLOW = 0.25
+"""A trial on layers that reaches less than this part of the depth that was expected is made again, with that depth."""
 REST_ENERGY = 1e-14
 """Part of the kinetic energy with which a body no longer moves."""
 DEPTH_TOLERANCE = 1e-2
 """Relative error of that depth."""
 SAMPLES = 257
+TRIAL_CELLS = 60
+"""Springs or cells of the march that determines how deep the body gets."""
 
 
 @value
@@ -53,13 +63,14 @@ class ViscoelasticImpact:
     Parameters
     ----------
     bed : Bed
-        Foundation(profile, ViscoelasticHalfSpace(solid)).
+        Foundation(profile, ViscoelasticHalfSpace(solid)), or of a profile on a ViscoelasticCoatedHalfSpace or a
+        PoroelasticFilm.
     mass : float
         m [kg].
     velocity : float
         v [m/s] of approach at first touch, positive.
     count : int, optional
-        How many springs.
+        How many springs, or cells on layers that relax each by a law of its own.
     tolerance : float, optional
         To which the restitution is computed, by halving the steps.
 
@@ -103,7 +114,8 @@ class ViscoelasticImpact:
     needs_round: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
-        relaxation_of("ViscoelasticImpact", self.bed)
+        if not is_layered("ViscoelasticImpact", self.bed, self.count):
+            relaxation_of("ViscoelasticImpact", self.bed)
 
     def solve(self) -> ViscoelasticImpactSolution:
         """Return the whole impact.
@@ -119,16 +131,21 @@ class ViscoelasticImpact:
         NotConverged
             If the restitution does not settle, or the body neither comes to rest nor leaves.
         """
-        series = relaxation_of("", self.bed)
-        scale = self._scale(series)
+        scale, layered = self._scale(), is_layered("", self.bed)
         # the first march only determines how wide the contact gets
         reach = 1.5 * scale
-        while (trial := self._march(series, reach, scale / self.velocity / FIRST_STEPS, 60)).greatest_depth() > reach:
-            reach = 2.0 * reach
-        reach = 1.02 * trial.greatest_depth()
+        while True:
+            trial = self._march(reach, scale / self.velocity / FIRST_STEPS, TRIAL_CELLS).greatest_depth()
+            if trial > reach:
+                scale, reach = scale * (2.0 if layered else 1.0), 2.0 * reach
+            elif trial < SHALLOW * scale and layered:
+                scale, reach = 2.0 * trial, 3.0 * trial
+            else:
+                break
+        reach = 1.02 * trial
         finer, last = FIRST_STEPS, math.nan
         while finer <= MOST_STEPS:
-            march = self._march(series, reach, scale / self.velocity / finer, self.count)
+            march = self._march(reach, scale / self.velocity / finer, self.count)
             restitution = -march.velocity / self.velocity
             if abs(restitution - last) <= 3.0 * self.tolerance:
                 return ViscoelasticImpactSolution(self, *np.array(march.lines).T)
@@ -138,14 +155,21 @@ class ViscoelasticImpact:
             "springs."
         )
 
-    def _scale(self, series: RelaxationSeries) -> float:
+    def _scale(self) -> float:
         """Return the depth [m] at which the stiffness at the rate of the impact has taken the kinetic energy."""
-        elastic, energy = elastic_like(self.bed), 0.5 * self.mass * self.velocity**2
+        energy = 0.5 * self.mass * self.velocity**2
         if energy == 0.0:
             raise OutsideValidity(
                 f"ViscoelasticImpact: the kinetic energy of {self.mass:g} kg at {self.velocity:g} m/s is below the "
                 "smallest floating-point number; check the units."
             )
+        if is_layered("", self.bed):  # the uppermost layer alone, of which trials make what the layers are
+            elastic = uppermost(self.bed)
+            last = DEEPEST * at_end(elastic)[0]
+            if math.isfinite(last) and _stored(elastic, last) <= energy:
+                return last
+            return _depth_of(elastic, energy, 1e-3 * shape_length(elastic))
+        elastic, series = elastic_like(self.bed), relaxation_of("", self.bed)
         # any number to begin with
         modulus = series.glassy if math.isfinite(series.glassy) else max(series.relaxed, series.viscosity)
         depth, last = _depth_of(elastic, energy / modulus, 1e-3 * shape_length(elastic)), 0.0
@@ -156,16 +180,27 @@ class ViscoelasticImpact:
             depth, last = _depth_of(elastic, energy / modulus, depth), depth
         return depth
 
-    def _march(self, series: RelaxationSeries, deepest: float, dt: float, count: int) -> Flight:
+    def _march(self, deepest: float, dt: float, count: int) -> Flight:
+        if is_layered("", self.bed):
+            reach = contact_reach("ViscoelasticImpact", self.bed, Depth(deepest), deepest)
+            while True:
+                row = StruckCells(self.bed, reach, count)
+                try:
+                    return self._flown(Flight(row, self.mass, self.velocity), deepest, dt)
+                except TooNarrow:
+                    reach = WIDENED * reach
         elastic = elastic_like(self.bed)
         _, radius = at_depth(elastic, np.array([deepest]))
-        row = SpringRow(elastic, Springs.of(elastic, float(radius[0]), count), series)
-        flight = Flight(row, self.mass, self.velocity)
+        springs = Springs.of(elastic, float(radius[0]), count)
+        springy = SpringRow(elastic, springs, relaxation_of("", self.bed))
+        return self._flown(Flight(springy, self.mass, self.velocity), deepest, dt)
+
+    def _flown(self, flight: Flight, deepest: float, dt: float) -> Flight:
         for _ in range(int(LONGEST_CONTACT * deepest / self.velocity / dt)):
             going = flight.goes_on(dt)
             slow = flight.velocity**2 < REST_ENERGY * self.velocity**2
             resting = slow and flight.time > 2.0 * deepest / self.velocity
-            if not going or resting or (flight.row.depth > deepest and math.isinf(elastic.rim)):
+            if not going or resting or (flight.row.depth > deepest and math.isinf(self.bed.rim)):
                 return flight
         raise NotConverged(
             "ViscoelasticImpact: the body neither comes to rest nor leaves; give the solid a shorter relaxation time."
@@ -257,22 +292,61 @@ class ViscoelasticImpactSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: assumptions, slopes and size of the body, slowness."""
-        bed = self.problem.bed
-        series = relaxation_of("ViscoelasticImpact", bed)
-        stiffest = series.glassy
-        if not math.isfinite(stiffest):
-            stiffest = max(series.relaxed, series.viscosity / self.duration)
-        modulus = stiffest * float(elastic_like(bed).normal_stiffness(np.array([np.max(self.radius)]))[0])
+        bed, widest = self.problem.bed, np.array([np.max(self.radius)])
+        if layered := is_layered("", bed):
+            modulus = float(bed.with_medium(bed.medium.glassy).normal_stiffness(widest)[0])  # type: ignore[attr-defined]
+        else:
+            series = relaxation_of("ViscoelasticImpact", bed)
+            stiffest = series.glassy
+            if not math.isfinite(stiffest):
+                stiffest = max(series.relaxed, series.viscosity / self.duration)
+            modulus = stiffest * float(elastic_like(bed).normal_stiffness(widest)[0])
         share = wave_loss(modulus=modulus, mass=self.problem.mass, size=bed.size, velocity=self.problem.velocity)
         times = times_notes(bed.medium, float(np.min(np.diff(self.time))), self.duration)
         balance = energy_note(self.kinetic_energy[0] - self.kinetic_energy, self.stored_energy, self.bulk_loss)
-        return relaxing_notes(bed, self.depth, self.radius, (*times, balance, wave_note(share)))
+        own = (*times, balance, wave_note(share))
+        if not layered:
+            return relaxing_notes(bed, self.depth, self.radius, own)
+        coarse = replace(self.problem, count=max(2, self.problem.count // 2)).solve()
+        change = abs(coarse.restitution - self.restitution)
+        return layered_notes(self.problem, self, own, resolution_note(bed, "the restitution", change, float(widest[0])))
+
+
+class StruckCells:
+    """Cells on layers that relax each by a law of its own, with what a `Flight` asks of a row of springs."""
+
+    def __init__(self, bed: Bed, reach: float, count: int) -> None:
+        self.contact = LayeredMarch("ViscoelasticImpact", bed, cells_of(bed, reach, count), 0.0)
+        self.cells, self.depth, self.state = self.contact.cells, 0.0, self.contact.state
+
+    def struck(self, velocity: float, mass: float, dt: float) -> tuple[float, int]:
+        """Return the mean velocity [m/s] of a body in a step, and how many cells bear after it.
+
+        The load of each cell changes steadily, and so does the force: its impulse is that of its mean, and what is
+        left of the motion is a spring of the stiffness 4 m / dt^2 beside the cells.
+        """
+        inertia = 4.0 * mass / dt**2
+        thrown = inertia * (self.depth + velocity * dt) - self.contact.state.force
+        self.state = self.cells.step(self.contact.state, dt, None, thrown, inertia)
+        if self.state.held == self.cells.count and not self.contact.pinned:
+            raise TooNarrow
+        return (self.state.depth - self.depth) / dt, self.state.held
+
+    def march(self, changes: Array, spans: Array) -> SpringMemory:
+        """Go on to where the body was just struck."""
+        before, after = self.contact.state, self.state
+        self.contact.state, self.depth = after, self.depth + float(changes[0])
+        self.contact.time += float(spans[0])
+        self.contact.examine()
+        lost, stored = self.cells.lost(before, after, float(spans[0])), self.cells.stored(after)
+        work = 0.5 * (before.force + after.force) * float(changes[0])
+        return SpringMemory(*np.array([[work], [lost], [stored], [after.radius], [after.force]]), np.array([False]))
 
 
 class Flight:
     """A body of a mass [kg] that flies against a row of springs, and what it has met so far."""
 
-    def __init__(self, row: SpringRow, mass: float, velocity: float) -> None:
+    def __init__(self, row: SpringRow | StruckCells, mass: float, velocity: float) -> None:
         self.row, self.mass = row, mass
         self.time, self.velocity, self.lost = 0.0, velocity, 0.0
         self.lines = [(0.0, 0.0, velocity, 0.0, 0.0, 0.0, 0.0)]

@@ -17,10 +17,12 @@ from winkler.numerics.springs.coupled_cells import EDGE_SHIFT, BorneCells, Coupl
 from winkler.numerics.types import Array
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["LayeredMarch", "MarchedPoint", "TooNarrow", "cells_of"]
+__all__ = ["LayeredMarch", "MarchedPoint", "TooNarrow", "beyond", "cells_of"]
 
 CELL_ERROR = 0.1
 """Error of a step [-], times the square of the number of cells, below which cells are what is wrong."""
+BEYOND = 1.3
+"""Cells that are wanted so much farther than the profile is known end there."""
 MOST_HALVINGS = 40
 LEAVING_SHARE = 0.02
 """A step in which the contact opens may bend the force by a tolerance over this part."""
@@ -48,11 +50,20 @@ class MarchedPoint(NamedTuple):
         return self.time, state.depth, state.force, state.radius, self.work, self.stored, self.lost
 
 
+def beyond(bed: Bed) -> OutsideValidity:
+    """Return the refusal of a contact that reaches where the profile ends."""
+    return OutsideValidity(
+        f"The contact grows beyond {bed.reach:.6g} m, where nothing is known of the profile; press less."
+    )
+
+
 def cells_of(bed: Bed, reach: float, count: int) -> CoupledCells:
     """Return cells up to a radius [m], or up to the rim of the body."""
     assert isinstance(bed, UnderProfile)
     assert offers(bed.medium, RelaxingByWaves)
-    reach = min(reach, bed.rim)
+    if reach > BEYOND * bed.reach:
+        raise beyond(bed)
+    reach = min(reach, bed.rim, bed.reach)
     width = reach / (count + EDGE_SHIFT)
     creep = bed.medium.creep_of_waves(width, reach)
     shape = np.asarray(bed.profile.gap(width * (np.arange(count) + 0.5)), dtype=float)
@@ -91,7 +102,7 @@ class LayeredMarch:
             self.state = full
             self._scaled(full, by_depth)
         self.time = time
-        self._examine()
+        self.examine()
         return MarchedPoint(time, self.state, self.work, self.cells.stored(self.state), self.lost)
 
     def _through(
@@ -140,7 +151,7 @@ class LayeredMarch:
         if held == self.cells.count and not self.pinned:
             raise TooNarrow
 
-    def _examine(self) -> None:
+    def examine(self) -> None:
         """Refuse a contact that is no disc: touched around a dent, pulled inside, or overlapping outside."""
         state, cells = self.state, self.cells
         what = ""

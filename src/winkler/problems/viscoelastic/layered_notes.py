@@ -24,14 +24,15 @@ SMALL_CHANGE, LARGE_CHANGE = 1e-3, 1e-2
 """Of the greatest force or depth, where numbers are good, and where they are not known."""
 
 
-def layered_notes(problem: Any, solution: Any, own: tuple[Note, ...]) -> tuple[Note, ...]:
-    """Return the notes on bed, shape, cells and yield about those of one kind of problem."""
+def layered_notes(problem: Any, solution: Any, own: tuple[Note, ...], error: Note | None = None) -> tuple[Note, ...]:
+    """Return the notes on bed, shape, cells and yield about those of one kind of problem, and of its error."""
     bed, radius = problem.bed, float(np.max(solution.radius))
     shape = shape_notes(bed, radius) if radius > 0.0 else []
     depths, forces, radii = (np.ravel(each) for each in (solution.depth, solution.force, solution.radius))
     deepest = int(np.argmax(depths))
     shape.extend(film_notes(bed, float(depths[deepest]), float(forces[deepest]), float(radii[deepest])))
-    return (*bed.notes, *shape, *_disc(bed, radius), _error_note(problem, solution), *own, *relaxing_yield(bed.medium))
+    error = error or _error_note(problem, solution)
+    return (*bed.notes, *shape, *_disc(bed, radius), error, *own, *relaxing_yield(bed.medium))
 
 
 def _disc(bed: Any, radius: float) -> tuple[Note, ...]:

@@ -17,10 +17,19 @@ from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.numerics.springs.coupled_cells import CoupledCells
 from winkler.numerics.types import Array, ComplexArray
 from winkler.problems.normal.solve_contact import at_depth, at_force
-from winkler.problems.viscoelastic.layered_march import LayeredMarch, MarchedPoint, TooNarrow, cells_of
+from winkler.problems.viscoelastic.layered_march import LayeredMarch, MarchedPoint, TooNarrow, beyond, cells_of
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
-__all__ = ["complex_stiffness", "contact_reach", "is_layered", "marched", "refuse_many", "stepped", "walked"]
+__all__ = [
+    "complex_stiffness",
+    "contact_reach",
+    "is_layered",
+    "marched",
+    "refuse_many",
+    "stepped",
+    "uppermost",
+    "walked",
+]
 
 MOST_CELLS = 2000
 COARSE_CELLS = 32
@@ -58,15 +67,20 @@ def refuse_many(owner: str, bed: Bed | LineBed, count: int) -> None:
         )
 
 
-def contact_reach(owner: str, bed: Bed, normal: Depth | Force, most: float) -> float:
-    """Return up to which radius [m] cells are needed for contacts up to a depth [m] or force [N]."""
+def uppermost(bed: Bed) -> Bed:
+    """Return the bed on half-spaces of the uppermost layer and of the second body, after all time."""
     assert isinstance(bed, OnMedium)
     assert offers(bed.medium, RelaxingByWaves)
-    by_depth = isinstance(normal, Depth)
     relaxed = bed.medium.relaxed
-    alike = bed.with_medium(HalfSpace(relaxed.layers[0].solid, relaxed.second))
-    _, radius = (at_depth if by_depth else at_force)(alike, np.array([most]))
-    reach = REACH_MARGIN * min(float(radius[0]), bed.rim)
+    return bed.with_medium(HalfSpace(relaxed.layers[0].solid, relaxed.second))
+
+
+def contact_reach(owner: str, bed: Bed, normal: Depth | Force, most: float) -> float:
+    """Return up to which radius [m] cells are needed for contacts up to a depth [m] or force [N]."""
+    by_depth = isinstance(normal, Depth)
+    _, radius = (at_depth if by_depth else at_force)(uppermost(bed), np.array([most]))
+    end = min(bed.rim, bed.reach)
+    reach = min(REACH_MARGIN * float(radius[0]), end)
     for _ in range(MOST_WIDENINGS):
         cells = cells_of(bed, reach, COARSE_CELLS)
         last = LONG_AGO * float(cells.times[-1])
@@ -79,7 +93,9 @@ def contact_reach(owner: str, bed: Bed, normal: Depth | Force, most: float) -> f
             return bed.rim
         if all(end.held < cells.count for end in ends) and widest > 0.25 * reach:
             return REACH_MARGIN * widest
-        reach = min(WIDENED * reach if widest > 0.25 * reach else max(2.0 * widest, 0.1 * reach), bed.rim)
+        if reach == bed.reach and widest >= reach:
+            raise beyond(bed)
+        reach = min(WIDENED * reach if widest > 0.25 * reach else max(2.0 * widest, 0.1 * reach), end)
     raise NotConverged(f"{owner}: how wide the contact becomes was not found; press less, or take thicker layers.")
 
 

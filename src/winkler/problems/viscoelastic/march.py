@@ -67,7 +67,8 @@ def relaxation_of(owner: str, bed: Bed) -> RelaxationSeries:
         raise InvalidInput(
             f"{owner}: {medium.reason} so that a wide contact relaxes otherwise than a small one and no single "
             "function of time stands for all springs, as it must here; ViscoelasticIndentation, CreepTest, "
-            f"RelaxationTest and HarmonicIndentation know such a medium: use one of these, or {medium.alike}."
+            "RelaxationTest, HarmonicIndentation and ViscoelasticImpact know such a medium: use one of these, or "
+            f"{medium.alike}."
         )
     if not offers(medium, RelaxingMedium) or not isinstance(bed, OnMedium):
         raise InvalidInput(
