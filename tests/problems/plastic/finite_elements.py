@@ -198,11 +198,11 @@ def _times(band, vector):
     return found
 
 
-def pressed_and_released(cells, poisson, strength, profile, rise=0.0, *, other=None):
-    """Depth, force, residual depth, work spent and given back of a contact of radius 1 under a body f(r)."""
-    body = Body(cells, poisson, strength, rise, other=other)
+def pressed_and_released(cells, poisson, strength, profile, rise=0.0):
+    """Depth, force, residual depth, work spent and given back of a contact of radius 1 under a rigid body f(r)."""
+    body = Body(cells, poisson, strength, rise)
     gap = profile(body.r)
-    modulus = 1.0 / (1.0 - poisson**2 + (1.0 - other[1] ** 2) / other[0] if other else 1.0 - poisson**2)
+    modulus = 1.0 / (1.0 - poisson**2)
 
     def far(depth, force):  # what the body beyond the mesh yields, about a point force
         return depth + 0.3 * force / (modulus * FAR)
@@ -234,10 +234,10 @@ def strip_pressed(cells, *solid, **other):
     return body.r[1 : cells + 1], np.array(force), body
 
 
-def strip_released(body, cells):
-    """How deep the middle of a contact lies after its load is gone, and how high its edge stands; it must not yield.
+def released(body, cells, reverse=1e-3):
+    """How deep the middle of a contact lies after its load is gone, and how high its edge stands; of both bodies.
 
-    Of both bodies together.
+    The release is elastic: what would yield backwards must be less than a part `reverse` of the plastic strain.
     """
     fixed = body.fixed
     left = -body.forces(body.stress(body.moved)[0])
@@ -246,6 +246,6 @@ def strip_released(body, cells):
     fresh.plastic = 0.0 * body.plastic
     elastic = fresh.stress(0.0 * body.moved)[1]
     moved = body.moved + cho_solve_banded((body._factor(elastic, fixed)[1], True), left, check_finite=False)
-    assert np.max(body.stress(moved)[2][..., 4] - body.plastic[..., 4]) < 1e-3 * np.max(body.plastic[..., 4])
+    assert np.max(body.stress(moved)[2][..., 4] - body.plastic[..., 4]) < reverse * np.max(body.plastic[..., 4])
     surface = body.apart(moved)
     return -surface[0], surface[cells]
