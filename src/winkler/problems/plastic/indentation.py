@@ -258,8 +258,8 @@ def _large(wide: float) -> Note:
         Assumption.SMALL_SLOPES,
         Standing.APPROXIMATE if error < 0.3 else Standing.OUTSIDE,
         f"The contact is {wide:.2g} times as wide as the ball, where the law of small slopes ends: a ball that is "
-        f"flattened bears less at this radius, by up to {100.0 * error:.2g} %; a plane that is dented more. At a width of "
-        "0.2 a restitution is 2 to 4 % lower.",
+        f"flattened bears less at this radius, by up to {100.0 * error:.2g} %; a plane that is dented more. Where "
+        "it is 0.2 times as wide a restitution is 2 to 4 % lower.",
         "finite elements of this package with large displacements; R. L. Jackson, I. Green, J. Tribol. 127 (2005) "
         "343-354, doi:10.1115/1.1866166",
         error,

@@ -105,10 +105,11 @@ class _LineLoading(NamedTuple):
             wide[yields] = bracketed(lambda a, index: self.at(a).force - wanted[index], low, high * (1.0 + 1e-12))
         return wide
 
-    def lost(self, half_width: Array) -> Array:
-        """Return what first loading up to half-widths `(n,)` [m] has cost for good [J/m]."""
+    def lost(self, reached: _LineLoad) -> Array:
+        """Return what first loading up to states `(n,)` has cost for good [J/m]."""
         from scipy.interpolate import CubicSpline
 
+        half_width = reached.half_width
         lost = np.zeros_like(half_width)
         past = half_width > self.onset
         if not past.any():
@@ -131,9 +132,8 @@ class _LineLoading(NamedTuple):
         reversible = scale * state.force**2 * (middle - apart)
         at = np.log(half_width[past])
         index = np.clip(np.searchsorted(places, at, side="right") - 1, 0, places.size - 2)
-        now = self.at(half_width[past])
-        m, k = _shapes(now.elastic_share)
-        rest = scale * now.force**2 * (m - k) - reversible[0]
+        m, k = _shapes(reached.elastic_share[past])
+        rest = scale * reached.force[past] ** 2 * (m - k) - reversible[0]
         lost[past] = np.maximum(whole[index] + spent(places[index], at) + rest, 0.0)
         return lost
 
@@ -219,7 +219,7 @@ class LinePlasticIndentation:
         even = np.zeros_like(greatest)
         wide[pressed] = loading.under(greatest[pressed])
         state = loading.at(wide[pressed])
-        dent[pressed], even[pressed], lost[pressed] = state.dent, 1.0 - state.elastic_share, loading.lost(wide[pressed])
+        dent[pressed], even[pressed], lost[pressed] = state.dent, 1.0 - state.elastic_share, loading.lost(state)
         even, most = even[group], greatest[group]
         left = 1.0 - np.where(most > 0.0, force / np.where(most > 0.0, most, 1.0), 0.0)
         root = 2.0 * left / (even + np.sqrt(even**2 + 4.0 * (1.0 - even) * left) + (left == 0.0))
