@@ -127,7 +127,7 @@ def test_a_stronger_second_body_takes_less_of_the_dent():
     unlike = pressed(wk.LineFoundation(wk.Paraboloid(RADIUS), wk.HalfSpace(weak, STEEL)), 4e6)
     alone = pressed(wk.LineFoundation(wk.Paraboloid(RADIUS), wk.HalfSpace(weak, wk.Elastic(210e9, 0.3))), 4e6)
     assert alike.half_width[0] > unlike.half_width[0] >= alone.half_width[0]
-    assert any("of two bodies by 0.015" in note.statement for note in unlike.validity)
+    assert any("0.02 of a^2/2R" in note.statement for note in unlike.validity)
 
 
 def elements(cells, poisson, strength, rise=0.0, other=None):
@@ -206,21 +206,22 @@ def test_beyond_the_tables_it_is_said():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("second", [None, (2.0, 0.25, 6e-4)])
-def test_half_width_and_dent_are_those_of_bricks(second):
-    """Elements of another kind; one body, and two of unlike moduli and strengths."""
-    solids, cells, nodes, radius = [(1.0, 0.3, 4e-4), *([second] if second else [])], 24, 512, 100.0
-    bed = wk.LineFoundation(wk.Paraboloid(radius), wk.HalfSpace(*(wk.Elastic(*solid) for solid in solids)))
+def test_half_width_and_dent_are_those_of_bricks():
+    """Elements of another kind, 14 on the half-width, in small steps; a mean, as each node that comes in is a jump.
+
+    Steps of a tenth to a quarter of the load make the contact 4 % wider and the dent deeper by 0.05.
+    """
+    cells, nodes, radius = 16, 342, 100.0
+    bed = wk.LineFoundation(wk.Paraboloid(radius), wk.HalfSpace(wk.Elastic(1.0, 0.3, 4e-4)))
     first = wk.LinePlasticIndentation(bed, wk.LineForce([1.0])).yield_force
-    loads = np.geomspace(1.02 * first, np.pi * bed.medium.modulus * 0.48**2 / (4.0 * radius), 20 if second else 30)
-    law = wk.LinePlasticIndentation(bed, wk.LineForce(loads)).solve()
+    loads = np.geomspace(1.02 * first, np.pi * bed.medium.modulus * 0.48**2 / (4.0 * radius), 80)
+    law = pressed(bed, *loads)
     gap = np.repeat((np.fft.fftfreq(nodes) * nodes / cells)[:, None] ** 2 / (2.0 * radius), 4, axis=1)
-    deep = levels(1.0 / cells, 1.5, 1.12, 16.0)
-    bodies = [Body((1.0 / cells, 1.0), (nodes, 4), deep, (2.5, 2.0, 4.0), *solid) for solid in solids]
-    _, dent, touching = press_bricks(bodies, gap, 4.0 * loads)
+    body = Body((1.0 / cells, 1.0), (nodes, 4), levels(1.0 / cells, 1.5, 1.12, 16.0), (2.5, 2.0, 4.0), 1.0, 0.3, 4e-4)
+    _, dent, touching = press_bricks([body], gap, 4.0 * loads)
     late = loads > 2.5 * first
     wide = touching[late] / (8.0 * cells) - 0.4 / cells  # the last node that bears lies within the edge
-    assert np.mean(wide / law.half_width[late]) == pytest.approx(1.0, abs=0.04)
     left = (dent - law.residual_depth) / (law.half_width**2 / (2.0 * radius))
-    print(second, loads[late] / first, wide / law.half_width[late], left[late])
-    np.testing.assert_allclose(left[late], 0.0, atol=0.06 if second else 0.05)
+    print(np.mean(wide / law.half_width[late]), np.mean(left[late]))
+    assert np.mean(wide / law.half_width[late]) == pytest.approx(1.0, abs=0.025)
+    assert np.mean(left[late]) == pytest.approx(0.0, abs=0.03)
