@@ -126,7 +126,7 @@ def test_a_stronger_second_body_takes_less_of_the_dent():
     alike = pressed(wk.LineFoundation(wk.Paraboloid(RADIUS), wk.HalfSpace(weak, weak)), 4e6)
     unlike = pressed(wk.LineFoundation(wk.Paraboloid(RADIUS), wk.HalfSpace(weak, STEEL)), 4e6)
     alone = pressed(wk.LineFoundation(wk.Paraboloid(RADIUS), wk.HalfSpace(weak, wk.Elastic(210e9, 0.3))), 4e6)
-    assert alike.half_width[0] > unlike.half_width[0] >= alone.half_width[0]
+    assert alike.half_width[0] > unlike.half_width[0] >= alone.half_width[0] * (1.0 - 1e-14)
     assert any("0.02 of a^2/2R" in note.statement for note in unlike.validity)
 
 
