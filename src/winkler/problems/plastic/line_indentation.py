@@ -325,10 +325,10 @@ LAW = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
     "Yielding by tables fitted to finite elements in plane strain, of small strains without friction. In their range "
-    "the half-width under a force errs by up to 1 %, the residual depth by 0.02 of a^2/2R. The force at release errs "
+    "the half-width under a force errs by up to 1 %, the residual depth by 0.03 of a^2/2R. The force at release errs "
     "by 0.03 of the greatest. A part of the dissipation stays in the bodies as residual stress.",
     "finite elements of this package, of two kinds; " + JOHNSON,
-    0.02,
+    0.03,
 )
 HARDENED = Note(
     Assumption.RESPONSE,
