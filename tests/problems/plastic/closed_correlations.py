@@ -53,21 +53,35 @@ def jackson_green(w, stiffness, poisson, strength):
     return load, area
 
 
-def ghaednia(w, stiffness, poisson, strength, share):
-    """Load and area of a ball that hardens by a tangent modulus of this share of Young's.
+HARDENING_BALLS = np.array(
+    [
+        (200e9, 0.33, 500e6, 0.04, 200e9, 0.33), (200e9, 0.3, 750e6, 0.02, 200e9, 0.3),
+        (71e9, 0.33, 200e6, 0.005, 200e9, 0.33), (71e9, 0.33, 500e6, 0.1, 200e9, 0.3),
+        (200e9, 0.33, 300e6, 0.02, 200e9, 0.3),
+    ]
+)  # fmt: skip
+"""Young's modulus [Pa], Poisson's ratio, strength [Pa] and tangent modulus over the first of a ball, modulus and
+Poisson's ratio of the elastic flat: those of figures 8 to 12 of H. Ghaednia, M. R. W. Brake, M. Berryhill,
+R. L. Jackson, "Strain hardening from elastic-perfectly plastic to perfectly elastic flattening single asperity
+contact", J. Tribol. (2019)."""
 
-    H. Ghaednia, M. R. W. Brake, M. Berryhill, R. L. Jackson, J. Tribol. (2019), "Strain hardening from
-    elastic-perfectly plastic to perfectly elastic flattening single asperity contact", as the laboratory of one of the
-    authors computes it in public, with the exponent that it states to be misprinted there.  Without hardening it is
-    Jackson and Green's.
+
+def ghaednia(depth, curvature_radius, young, poisson, strength, share, flat, of_flat):
+    """Load [N] and contact radius [m] of one of these balls.
+
+    As the laboratory of one of the authors computes it in public, with the exponent that it states to be misprinted in
+    the paper.  Without hardening it is Jackson and Green's with the composite modulus.
     """
+    stiffness = 1.0 / ((1.0 - poisson**2) / young + (1.0 - of_flat**2) / flat)
+    first, load_then = critical(stiffness, poisson, curvature_radius, strength)
+    w = depth / first
     load, area = jackson_green(w, stiffness, poisson, strength)
-    young = stiffness * (1.0 - poisson**2)
-    once = (0.5 * np.pi * 1.295 * np.exp(0.736 * poisson) * strength / stiffness) ** 2
     root = np.sqrt(young / strength)
-    power = -2.0 * root * share ** (1.0 - (w - 1.0) * once) / (4.0 - 3.0 * np.exp(-2.0 * root * share)) / (1.0 - share)
+    power = share ** (1.0 - (depth - first) / curvature_radius)
+    power *= -2.0 * root / (4.0 - 3.0 * np.exp(-2.0 * root * share)) / (1.0 - share)
     radius = np.sqrt(w) + (np.sqrt(area) - np.sqrt(w)) * np.exp(power)
-    return load + (w**1.5 - load) * (1.0 - np.exp(-3.3 * share)), radius**2
+    load += (w**1.5 - load) * (1.0 - np.exp(-3.3 * share))
+    return load * load_then, radius * np.sqrt(curvature_radius * first)
 
 
 def etsion_dent(w):
@@ -77,6 +91,15 @@ def etsion_dent(w):
     the paper at hand, of which the abstract alone is open.
     """
     return (1.0 - w**-0.28) * (1.0 - w**-0.69)
+
+
+def jackson_chusoipin_green(w):
+    """Residual depth of a perfectly plastic ball.
+
+    R. L. Jackson, I. Chusoipin, I. Green, J. Tribol. 127 (2005) 484-493, doi:10.1115/1.1843166, as a public code of the
+    laboratory of M. R. W. Brake quotes it.
+    """
+    return 1.02 * (1.0 - ((w + 5.9) / 6.9) ** -0.54)
 
 
 def etsion_release(w, part):

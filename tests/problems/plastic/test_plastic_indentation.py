@@ -6,15 +6,17 @@ import numpy as np
 import pytest
 from closed_correlations import (
     CONES,
+    HARDENING_BALLS,
     STEEPER,
     critical,
     etsion_dent,
     etsion_release,
     ghaednia,
+    jackson_chusoipin_green,
     jackson_green,
     kogut_etsion,
 )
-from finite_elements import pressed_and_released
+from finite_elements import FAR, Body, pressed_and_released, released
 
 import winkler as wk
 from winkler.foundation.foundation import Foundation
@@ -65,16 +67,24 @@ def test_load_and_area_are_those_of_others_finite_elements(ratio):
         np.testing.assert_allclose(area, areas, rtol=0.05)
 
 
-@pytest.mark.parametrize(("share", "near"), [(0.01, 0.045), (0.02, 0.055), (0.05, 0.085)])
-def test_load_of_balls_that_harden_is_that_of_others_finite_elements(share, near):
-    """Their area is smaller by up to a third at 0.05: hardening makes theirs that of Hertz sooner."""
-    hard = wk.LinearHardening(210e9, 0.3, 0.21e9, plastic_modulus=210e9 * share / (1.0 - share))
-    depth, load = critical(STIFFNESS, 0.3, RADIUS, hard.strength)
-    w = np.geomspace(1.9, 110.0, 25)
-    solved = pressed(Foundation(wk.Paraboloid(RADIUS), wk.HalfSpace(hard)), wk.Depth(w * depth))
-    forces, areas = ghaednia(w, STIFFNESS, 0.3, hard.strength, share)
-    np.testing.assert_allclose(solved.force / load, forces, rtol=near)
-    assert np.all(solved.radius**2 / (RADIUS * depth) > areas)  # not resolved: the ring elements have ours
+@pytest.mark.parametrize("metal", HARDENING_BALLS, ids=["8", "9", "10", "11", "12"])
+def test_balls_that_harden_on_elastic_flats_are_those_of_others_finite_elements(metal):
+    """Contact radius, and the load, which theirs has with the composite modulus: 2 to 9 % too low for one body."""
+    radius, (young, poisson, strength, share, flat, of_flat) = 1e-3, metal
+    ball = wk.LinearHardening(young, poisson, strength, plastic_modulus=young * share / (1.0 - share))
+    bed = Foundation(wk.Paraboloid(radius), wk.HalfSpace(ball, wk.Elastic(flat, of_flat)))
+    first, _ = critical(bed.medium.modulus, poisson, radius, strength)
+    depth = np.geomspace(1.9 * first, 0.005 * radius, 25)  # up to a/R = 0.085: beyond, large strains count
+    solved = pressed(bed, wk.Depth(depth))
+    load, wide = ghaednia(depth, radius, *metal)
+    np.testing.assert_allclose(solved.radius, wide, rtol=0.05)
+    print(
+        np.min(solved.force / load),
+        np.max(solved.force / load),
+        np.min(solved.radius / wide),
+        np.max(solved.radius / wide),
+    )
+    assert np.all((solved.force / load > 0.98) & (solved.force / load < 1.11))
 
 
 def test_dents_and_releases_are_those_of_others_finite_elements():
@@ -96,6 +106,18 @@ def test_dents_and_releases_are_those_of_others_finite_elements():
             released = pressed(bed, wk.Depth(np.append(top, low + part * (top - low))))
             borne = released.force[1:] / released.force[0]
             np.testing.assert_allclose(borne, etsion_release(top / depth, part), atol=0.03)
+
+
+def test_deep_dents_lie_between_those_of_two_other_groups():
+    """Those of Jackson, Chusoipin and Green are deeper than those of Etsion's group, by up to 0.1 of the depth."""
+    depth, _ = critical(STIFFNESS, 0.3, RADIUS, 0.2e9)
+    w = np.geomspace(1.9, 170.0, 25)
+    solved = pressed(
+        Foundation(wk.Paraboloid(RADIUS), wk.HalfSpace(wk.Elastic(210e9, 0.3, 0.2e9))), wk.Depth(w * depth)
+    )
+    left, theirs, deep = solved.residual_depth / solved.depth, jackson_chusoipin_green(w), w > 30.0
+    np.testing.assert_allclose(left[~deep], theirs[~deep], atol=0.03)
+    assert np.all((left[deep] > etsion_dent(w[deep])) & (left[deep] < theirs[deep]))
 
 
 @pytest.mark.parametrize(("rows", "error"), [(CONES, 0.02), (STEEPER, 0.2)])
@@ -132,6 +154,27 @@ def test_force_radius_and_dent_are_those_of_finite_elements(kind):
     # what an impact bounces with; cones come back a little faster than the two shapes of pressure of the law have it
     restitution = math.sqrt(solved.energy[0] / solved.work[0])
     assert restitution == pytest.approx(math.sqrt(given / spent), abs=0.01 if ball else 0.02)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("other", "load"), [((1.0, 0.3, math.inf), 12.0), ((2.0, 0.25, 1.5), 12.0)])
+def test_two_unlike_bodies_are_those_of_finite_elements(other, load):
+    """Beside an elastic body and a stronger one; `load` is E* over the strength at a contact radius of one."""
+    young, poisson, stronger = other
+    modulus = 1.0 / (0.91 + (1.0 - poisson**2) / young)
+    strength, scale, found = modulus / load, 1e-3, []
+    for cells in (8, 16):
+        body = Body(cells, 0.3, strength, other=(young, poisson, stronger * strength, 0.0))
+        depth, force = [body.event(k, 0.5 * body.r**2) for k in range(1, cells + 1)][-1]
+        found.append((depth + 0.3 * force / (modulus * FAR), force, released(body, cells, 0.02)[0]))
+    depth, force, residual = 2.0 * np.array(found[1]) - np.array(found[0])
+    solids = wk.Elastic(1.0, 0.3, strength * scale), wk.Elastic(young, poisson, stronger * strength * scale)
+    solved = pressed(Foundation(wk.Paraboloid(1.0 / scale), wk.HalfSpace(*solids)), wk.Depth([depth * scale]))
+    left = solved.residual_depth[0] / solved.depth[0]
+    print(other, solved.force[0] / scale / force, solved.radius[0], left - residual / depth)
+    assert solved.force[0] == pytest.approx(force * scale, rel=0.02)
+    assert solved.radius[0] == pytest.approx(1.0, rel=0.02)
+    assert left == pytest.approx(residual / depth, abs=0.015)
 
 
 def test_first_yield_is_the_closed_form():

@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from finite_elements import strip_pressed, strip_released
+from finite_elements import released, strip_pressed
 from wave_elements import Body, levels
 from wave_elements import pressed as press_bricks
 
@@ -26,15 +26,6 @@ def under_one(poisson, ratio, scale=1e-3):
     bed = wk.LineFoundation(wk.Paraboloid(1.0 / scale), wk.HalfSpace(wk.Elastic(1.0, poisson, scale / ratio)))
     unit = wk.LineYieldOnset(bed).solve().half_width
     return wk.LineFoundation(bed.profile, wk.HalfSpace(wk.Elastic(1.0, poisson, scale / (ratio * ratio * unit))))
-
-
-def force_of_width(bed, wide):
-    """The force per length under which the strip is as wide."""
-    low, high = 1e-12, 1.0
-    for _ in range(200):
-        middle = math.sqrt(low * high)
-        low, high = (middle, high) if pressed(bed, middle).half_width[0] < wide else (low, middle)
-    return low
 
 
 def test_it_is_hertz_up_to_first_yield():
@@ -135,26 +126,54 @@ def test_a_stronger_second_body_takes_less_of_the_dent():
     alike = pressed(wk.LineFoundation(wk.Paraboloid(RADIUS), wk.HalfSpace(weak, weak)), 4e6)
     unlike = pressed(wk.LineFoundation(wk.Paraboloid(RADIUS), wk.HalfSpace(weak, STEEL)), 4e6)
     alone = pressed(wk.LineFoundation(wk.Paraboloid(RADIUS), wk.HalfSpace(weak, wk.Elastic(210e9, 0.3))), 4e6)
-    assert alike.half_width[0] > unlike.half_width[0] >= alone.half_width[0]
-    assert any("of two bodies by 0.06" in note.statement for note in unlike.validity)
+    assert alike.half_width[0] > unlike.half_width[0] >= alone.half_width[0] * (1.0 - 1e-14)
+    assert any("0.03 of a^2/2R" in note.statement for note in unlike.validity)
+
+
+def elements(cells, poisson, strength, rise=0.0, other=None):
+    """Force, dent and edge of the strip of half-width one, extrapolated from as many elements and half as many."""
+    found = []
+    for count in (cells // 2, cells):
+        _, force, body = strip_pressed(count, poisson, strength, rise, other=other)
+        found.append((force[-1], *released(body, count, 0.02 if rise else 1e-3)))
+    return 2.0 * np.array(found[1]) - np.array(found[0])
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("poisson", "ratio"), [(0.3, 4.0), (0.2, 3.0), (0.45, 2.0)])
-def test_force_dent_and_edge_are_those_of_finite_elements(poisson, ratio):
-    """Extrapolated from 12 and 24 elements along the half-width; none of these loads is one of the tables'."""
-    bed = under_one(poisson, ratio)
-    strength = bed.medium.first.strength
-    found = []
-    for cells in (12, 24):
-        _, force, body = strip_pressed(cells, poisson, strength * 1e3)
-        found.append((force[-1], *strip_released(body, cells)))
-    force, dent, edge = 2.0 * np.array(found[1]) - np.array(found[0])
-    most = force_of_width(bed, 1.0)
-    solved = pressed(bed, most, 0.0)
-    assert most * 1e3 == pytest.approx(force, rel=0.01)
-    assert solved.residual_depth[1] * 1e3 == pytest.approx(dent, abs=0.02 * 0.5)
-    assert solved.surface(np.array([1.0]))[0] * 1e3 == pytest.approx(edge, abs=0.02 * 0.5)
+@pytest.mark.parametrize(
+    ("poisson", "ratio", "second", "rise", "error"),
+    [
+        (0.3, 7.0, None, 0.0, 0.01),
+        (0.2, 3.0, None, 0.0, 0.01),
+        (0.45, 3.5, None, 0.0, 0.01),
+        (0.3, 6.0, None, 0.1, 0.02),
+        (0.3, 3.0, None, 0.02, 0.015),
+        (0.3, 4.0, (2.0, 0.25, 1.5, 0.0), 0.0, 0.015),
+        (0.3, 5.0, (1.0, 0.3, math.inf, 0.0), 0.0, 0.015),
+        (0.3, 4.0, (0.7, 0.35, 0.7, 0.05), 0.0, 0.02),
+    ],
+)
+def test_half_width_and_dent_are_those_of_finite_elements(poisson, ratio, second, rise, error):
+    """Loads, strengths and pairs of bodies to which nothing was fitted, hardening or not; 24 and 12 elements."""
+    scale, pair = 1e-3, () if second is None else second
+    strength = under_one(poisson, ratio).medium.first.strength / scale
+    solids = [(1.0, poisson, strength, rise), *([(*pair[:2], pair[2] * strength, pair[3])] if pair else [])]
+    force, dent, edge = elements(24, poisson, strength, rise, other=solids[1] if pair else None)
+    metals = [
+        wk.LinearHardening(young, nu, limit * scale, plastic_modulus=slope)
+        if slope
+        else wk.Elastic(young, nu, limit * scale)
+        for young, nu, limit, slope in solids
+    ]
+    bed = wk.LineFoundation(wk.Paraboloid(1.0 / scale), wk.HalfSpace(*metals))
+    solved = pressed(bed, force * scale, 0.0)
+    off = 2.0 * (solved.residual_depth[1] / scale - dent)
+    beside = 2.0 * (solved.surface(solved.largest_half_width[:1])[0] / scale - edge)
+    print(poisson, ratio, second, rise, solved.half_width[0] - 1.0, off, beside)
+    assert solved.half_width[0] == pytest.approx(1.0, abs=0.01)
+    assert off == pytest.approx(0.0, abs=error)
+    assert rise > 0.0 or beside == pytest.approx(0.0, abs=0.02)
+    assert max(note.error for note in solved.validity if note.error) >= error
 
 
 @pytest.mark.parametrize(
@@ -164,12 +183,6 @@ def test_force_dent_and_edge_are_those_of_finite_elements(poisson, ratio):
         (wk.LineFoundation(wk.Cone(1.4), wk.HalfSpace(STEEL)), "cylinders only"),
         (wk.LineFoundation(wk.Paraboloid(RADIUS), wk.HalfSpace(wk.Elastic(2e9, 0.3, 1e9))), "a fiftieth"),
         (wk.LineFoundation(wk.Paraboloid(RADIUS), wk.HalfSpace(wk.Elastic(210e9, 0.1, 1e9))), "from 0.2 to 0.45"),
-        (
-            wk.LineFoundation(
-                wk.Paraboloid(RADIUS), wk.HalfSpace(wk.LinearHardening(210e9, 0.3, 1e9, plastic_modulus=1e9))
-            ),
-            "hardens",
-        ),
     ],
 )
 def test_what_is_not_known_is_refused(bed, words):
@@ -193,21 +206,23 @@ def test_beyond_the_tables_it_is_said():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("second", [None, (2.0, 0.25, 6e-4)])
-def test_half_width_and_dent_are_those_of_bricks(second):
-    """Elements of another kind; one body, and two of unlike moduli and strengths."""
-    solids, cells, nodes, radius = [(1.0, 0.3, 4e-4), *([second] if second else [])], 24, 512, 100.0
-    bed = wk.LineFoundation(wk.Paraboloid(radius), wk.HalfSpace(*(wk.Elastic(*solid) for solid in solids)))
+def test_half_width_and_dent_are_those_of_bricks():
+    """Elements of another kind, 14 on the half-width, in small steps; a mean, as each node that comes in is a jump.
+
+    Steps of a tenth to a quarter of the load make the contact 4 % wider and the dent deeper by 0.05.  A dent deeper by
+    0.03 is left with 12 and with 16 bricks, of which the periodic surface makes some 0.006.
+    """
+    cells, nodes, radius = 16, 342, 100.0
+    bed = wk.LineFoundation(wk.Paraboloid(radius), wk.HalfSpace(wk.Elastic(1.0, 0.3, 4e-4)))
     first = wk.LinePlasticIndentation(bed, wk.LineForce([1.0])).yield_force
-    loads = np.geomspace(1.02 * first, np.pi * bed.medium.modulus * 0.48**2 / (4.0 * radius), 20 if second else 30)
-    law = wk.LinePlasticIndentation(bed, wk.LineForce(loads)).solve()
+    loads = np.geomspace(1.02 * first, np.pi * bed.medium.modulus * 0.48**2 / (4.0 * radius), 80)
+    law = pressed(bed, *loads)
     gap = np.repeat((np.fft.fftfreq(nodes) * nodes / cells)[:, None] ** 2 / (2.0 * radius), 4, axis=1)
-    deep = levels(1.0 / cells, 1.5, 1.12, 16.0)
-    bodies = [Body((1.0 / cells, 1.0), (nodes, 4), deep, (2.5, 2.0, 4.0), *solid) for solid in solids]
-    _, dent, touching = press_bricks(bodies, gap, 4.0 * loads)
+    body = Body((1.0 / cells, 1.0), (nodes, 4), levels(1.0 / cells, 1.5, 1.12, 16.0), (2.5, 2.0, 4.0), 1.0, 0.3, 4e-4)
+    _, dent, touching = press_bricks([body], gap, 4.0 * loads)
     late = loads > 2.5 * first
     wide = touching[late] / (8.0 * cells) - 0.4 / cells  # the last node that bears lies within the edge
-    assert np.mean(wide / law.half_width[late]) == pytest.approx(1.0, abs=0.04)
     left = (dent - law.residual_depth) / (law.half_width**2 / (2.0 * radius))
-    print(second, loads[late] / first, wide / law.half_width[late], left[late])
-    np.testing.assert_allclose(left[late], 0.0, atol=0.06 if second else 0.05)
+    print(np.mean(wide / law.half_width[late]), np.mean(left[late]))
+    assert np.mean(wide / law.half_width[late]) == pytest.approx(1.0, abs=0.025)
+    assert np.mean(left[late]) == pytest.approx(0.0, abs=0.035)

@@ -30,7 +30,6 @@ from winkler.foundation.footprint import EllipticOutline
 from winkler.foundation.foundation import Foundation
 from winkler.foundation.on_medium import UnderProfile
 from winkler.materials.elastic import RIGID, Elastic, Solid
-from winkler.materials.hardening import Hardening
 from winkler.media.halfspace import HalfSpace
 from winkler.media.offers import LayerStack, offers
 from winkler.numerics.equations.roots import invert
@@ -45,19 +44,14 @@ from winkler.problems.plastic.dent import Dent
 from winkler.problems.plastic.yielded_response import (
     GREATEST_POISSON,
     LEAST_POISSON,
-    Yielded,
     ball_onset,
     beyond_tables,
-    round_part,
-    strain_of_pressure,
-    strain_of_shape,
-    yielded,
 )
+from winkler.problems.plastic.yielding_half import Parts, YieldingHalf, borne_together, divided
 from winkler.values.checks.outline import refuse_unless_round
-from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.values.errors import InvalidInput, OutsideValidity
 
 __all__ = [
-    "SHARE_POWER",
     "START_SHARE",
     "FirstLoading",
     "GreatestLoad",
@@ -74,9 +68,6 @@ POINTS_PER_EFOLD = 48
 1e-7."""
 START_SHARE = 1e-3
 """Part of the radius of the least load from which the work below a pointed tip is summed: before, it is a power."""
-SHARE_POWER = 1.5
-"""Power of its share of the gap with which a body counts for the shape of the pressure, from finite elements of two
-bodies: the one that yields more decides."""
 WIDENING, AT_ONCE = 1.5, 4
 LAST_SHARE = 0.999
 """Part of the reach of a profile up to which the curve is followed: a ball is vertical there."""
@@ -84,19 +75,11 @@ LEAST_STIFFNESS = 50.0
 """Modulus over strength below which strains at yield are not small."""
 NODES = 4
 ENERGY_NODES = 24
-NEAR, LAST_STEP, MOST_STEPS = 1e-7, 3e-8, 60
-"""Difference over which slopes are taken, the last step of Newton's method, which leaves its square, and how many."""
-WIDEST_STEP = 0.8
-"""Part of the way to none of the gap, or to all of it, that one step may go."""
 ROUNDING_POWER, DEPTH_POWER = 1.5, 0.6
 """Power of the part of the recovery that is that of an even pressure with which an ellipse has got rounder, and power
 of c by which its depth is less; fitted to finite elements of ellipses of b/a = 4.5 and 21."""
-GREATEST_SINKING = 0.872
-"""Gamma - 1 at the end of the tables of a ball, where the pressure of an ellipse is that of a ball."""
 MOST_SLENDER = 100.0
 """Greatest ratio of the semi-axes of an ellipse; beyond, a residual depth could come out negative."""
-LEAST_LOAD = 1e-12
-"""A load over the strength of which no table knows anything: the bodies are elastic."""
 
 
 class GreatestLoad(NamedTuple):
@@ -123,165 +106,6 @@ class GreatestLoad(NamedTuple):
     def level(self, by_force: bool) -> Array:
         """Return the forces [N], or the depths [m]."""
         return self.force if by_force else self.depth
-
-
-class Tangent(NamedTuple):
-    """The pressure of a body near an elastic one, all by logarithms and `(n,)`, while the flow stress follows.
-
-    Parameters
-    ----------
-    value, rise : ndarray, (n,)
-        The pressure once the stress has made its step, and its slope.
-    step, follow : ndarray, (n,)
-        How the flow stress moves at once, and with the elastic pressure.
-    """
-
-    value: Array
-    rise: Array
-    step: Array
-    follow: Array
-
-
-class YieldingHalf(NamedTuple):
-    """A half-space that may yield.
-
-    Parameters
-    ----------
-    modulus : float
-        E / (1 - nu^2) [Pa], infinite of a rigid one.
-    poisson, strength : float
-        nu, and Y [Pa], infinite of one that does not yield.
-    start : float
-        p_el / Y [-] where it begins to yield.
-    solid : Elastic or Rigid
-        What it is made of.
-    rise : float
-        `start` below an ellipse over that below a ball [-].
-    """
-
-    modulus: float
-    poisson: float
-    strength: float
-    start: float
-    solid: Solid
-    rise: float = 1.0
-
-    def answer(self, elastic: Array, exponent: Array, stress: Array) -> Yielded:
-        """Return the departure from an elastic body that would bear a pressure [Pa]; `stress` is near the flow's."""
-        if math.isinf(self.strength):
-            return Yielded(*(np.zeros(elastic.shape),) * 3)
-        load = np.maximum(elastic / self.strength, LEAST_LOAD)
-        past = load > self.start
-        if isinstance(self.solid, Hardening):
-            departure = self._hardened(elastic, exponent, stress, past)
-        else:
-            departure = self._beyond_start(load, exponent)
-        return Yielded(*(np.where(past, part, 0.0) for part in departure))
-
-    def _beyond_start(self, load: Array, exponent: Array) -> Yielded:
-        start, part, load = max(self.start / self.rise, LEAST_LOAD), round_part(exponent), load / self.rise
-        alike = part.size and bool(np.all(part == part[0]))
-        begun = (
-            _begun(start, self.poisson, float(part[0]))
-            if alike
-            else yielded(np.full(exponent.shape, start), self.poisson, exponent)
-        )
-        departure = yielded(load, self.poisson, exponent).less(begun)
-        if self.rise == 1.0:
-            return departure
-        fuller = math.log(self.rise) * np.minimum(departure.sinking / GREATEST_SINKING, 1.0)
-        return departure._replace(fall=departure.fall + fuller)
-
-    def _hardened(self, elastic: Array, exponent: Array, stress: Array, past: Array) -> Yielded:
-        """Return the departure with the flow stress in place of the strength; zeros where it has not yielded.
-
-        The pressure has that at one strain, the shape that at another one (`strain_of_pressure`, `strain_of_shape`).
-        """
-        answer = np.zeros((3, elastic.size))
-        elastic, exponent, stress = elastic[past], exponent[past], stress[past]
-        place = np.log(elastic)
-        for _ in range(MOST_STEPS):
-            _, _, step, _ = self.tangent(place, stress, exponent)
-            stress = self.within(stress + step, elastic)
-            if np.all(np.abs(step) <= LAST_STEP):
-                break
-        else:
-            raise NotConverged(f"The flow stress of a body was not found in {MOST_STEPS} steps.")
-        load = np.maximum(np.exp(place - stress), LEAST_LOAD)
-        fall = self._beyond_start(load, exponent).fall
-        missing = -elastic * np.expm1(-fall) / self.modulus
-        flow = self.solid.flow_stress  # type: ignore[union-attr]
-        shaped = self._beyond_start(elastic / flow(strain_of_shape(load, missing)), exponent)
-        answer[:, past] = fall, shaped.sinking, shaped.evening
-        return Yielded(*answer)
-
-    def least_stress(self) -> float:
-        """Logarithm of the strength [Pa]; zero of one that does not yield."""
-        return math.log(self.strength) if math.isfinite(self.strength) else 0.0
-
-    def part_against(self, other: YieldingHalf) -> float:
-        """Return the part of a gap that stands against this body while both are elastic."""
-        if math.isinf(self.modulus) or math.isinf(other.modulus):
-            return 0.0 if math.isinf(self.modulus) else 1.0
-        return other.modulus / (self.modulus + other.modulus)
-
-    def within(self, stress: Array, elastic: Array) -> Array:
-        """Return logarithms of flow stresses, not below the strength nor above what all of the strain would give."""
-        if not isinstance(self.solid, Hardening):
-            return stress
-        return np.clip(stress, math.log(self.strength), np.log(self.solid.flow_stress(elastic / self.modulus)))
-
-    def _borne(self, place: Array, stress: Array, exponent: Array) -> tuple[Array, Array]:
-        """Return logarithms of the pressure, and of the flow stress over the one that its own strain gives."""
-        if math.isinf(self.strength):
-            return place, np.zeros_like(place)
-        load = np.maximum(np.exp(place - stress), LEAST_LOAD)
-        past = place > self.least_stress() + math.log(max(self.start, LEAST_LOAD))
-        fall = np.where(past, self._beyond_start(load, exponent).fall, 0.0)
-        if not isinstance(self.solid, Hardening):
-            return place - fall, np.zeros_like(place)
-        strain = strain_of_pressure(load, -np.exp(place) * np.expm1(-fall) / self.modulus)
-        return place - fall, stress - np.log(self.solid.flow_stress(strain))
-
-    def tangent(self, place: Array, stress: Array, exponent: Array) -> Tangent:
-        """Return the pressure near logarithms of the elastic pressure and of flow stresses near by, each `(n,)`."""
-        hardens = isinstance(self.solid, Hardening)
-        rows = 3 if hardens else 2
-        places, stresses = np.tile(place, (rows, 1)), np.tile(stress, (rows, 1))
-        places[1] += NEAR
-        stresses[2:] += NEAR
-        found = self._borne(places.ravel(), stresses.ravel(), np.tile(exponent, rows))
-        pressure, missed = (part.reshape(rows, -1) for part in found)
-        slopes = (pressure[1:] - pressure[0]) / NEAR
-        if not hardens:
-            still = np.zeros_like(place)
-            return Tangent(pressure[0], slopes[0], still, still)
-        by_place, by_stress = slopes
-        moved, met = (missed[1:] - missed[0]) / NEAR
-        step, follow = -missed[0] / met, -moved / met
-        return Tangent(pressure[0] + by_stress * step, by_place + by_stress * follow, step, follow)
-
-
-@functools.lru_cache(maxsize=64)
-def _begun(start: float, poisson: float, part: float) -> Yielded:
-    """Return the departure where yielding begins, of profiles all alike."""
-    return yielded(np.array([start]), poisson, np.array([1.0 + part]))
-
-
-class Parts(NamedTuple):
-    """How the bodies divide a contact.
-
-    Parameters
-    ----------
-    share : ndarray, (n,)
-        Part of the gap that stands against the first body [-].
-    first, second : ndarray, (n,)
-        Logarithms of their flow stresses [Pa]; of bodies that are alike near them.
-    """
-
-    share: Array
-    first: Array
-    second: Array
 
 
 class FirstLoading(NamedTuple):
@@ -383,19 +207,10 @@ class FirstLoading(NamedTuple):
         elastic_force = stiffness * gap - bed.gap_load(radius)
         exponent = self.exponent(radius)
         strain = self._strain(radius)
-        share, first, second = self.parts(radius) if parts is None else parts
-        pressure, taken, kept, weights = (np.zeros_like(gap) for _ in range(4))
-        for body, part, stress in ((self.first, share, first), (self.second, 1.0 - share, second)):
-            if math.isinf(body.modulus):
-                continue
-            elastic = body.modulus * part * strain
-            answer = body.answer(elastic, exponent, stress)
-            pressure = elastic * np.exp(-answer.fall)
-            taken += part / (1.0 + answer.sinking)
-            weight = part**SHARE_POWER
-            kept += weight * (1.0 - answer.evening)
-            weights += weight
-        kept /= weights
+        pressure, kept, answers = borne_together(
+            self.first, self.second, self.parts(radius) if parts is None else parts, strain, exponent
+        )
+        taken = sum(part / (1.0 + answer.sinking) for part, answer in answers)
         force = bed.footprint.area(radius) * pressure
         # q(x) = E* d_e (theta (1 - g/g(a)) + (1 - theta) sqrt(1 - x^2/a^2)) has the integral F
         own, even = elastic_force / (stiffness * gap), 0.25 * np.pi
@@ -419,29 +234,7 @@ class FirstLoading(NamedTuple):
         ------
         NotConverged
         """
-        first, second = self.first, self.second
-        if guess is None:
-            alone = first.part_against(second), first.least_stress(), second.least_stress()
-            guess = Parts(*(np.full_like(radius, one) for one in alone))
-        if first == second or math.isinf(first.modulus) or math.isinf(second.modulus):
-            return guess
-        strain, exponent = self._strain(radius), self.exponent(radius)
-        share, *stress = guess
-        for _ in range(MOST_STEPS):
-            elastic = first.modulus * share * strain, second.modulus * (1.0 - share) * strain
-            stress = [body.within(*of) for body, *of in zip((first, second), stress, elastic, strict=True)]
-            one, two = (
-                body.tangent(np.log(pressed), flow, exponent)
-                for body, pressed, flow in zip((first, second), elastic, stress, strict=True)
-            )
-            step = (two.value - one.value) / (one.rise / share + two.rise / (1.0 - share))
-            step = np.clip(step, -WIDEST_STEP * share, WIDEST_STEP * (1.0 - share))
-            grown = step / share, -step / (1.0 - share)
-            moves = [body.step + body.follow * part for body, part in zip((one, two), grown, strict=True)]
-            share, stress = share + step, [flow + move for flow, move in zip(stress, moves, strict=True)]
-            if all(np.all(np.abs(part) <= LAST_STEP) for part in (*grown, *moves)):
-                return Parts(share, *stress)
-        raise NotConverged(f"How two bodies that yield share a contact was not found in {MOST_STEPS} steps.")
+        return divided(self.first, self.second, self._strain(radius), self.exponent(radius), guess)
 
     def at_level(self, level: Array, *, by_force: bool) -> tuple[GreatestLoad, Array]:
         """Return the states of first loading at forces [N] or depths [m] `(n,)`, and the work spent on each [J].
