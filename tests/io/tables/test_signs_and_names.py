@@ -206,7 +206,9 @@ def test_a_rheometer_in_japanese_groups_thousands_in_quotes(tmp_path):
 def test_many_columns_of_one_name_are_counted(tmp_path):
     names = ",".join(["f [Hz]", "G' [Pa]", "G'' [Pa]"] + ["f [Hz]"] * 9)
     names += ",g [Hz]"
-    (tmp_path / "wide.csv").write_text(names.replace("g [Hz]", "F [Hz]") + "\n" + "\n".join([",".join("1" * 13)] * 9) + "\n")
+    (tmp_path / "wide.csv").write_text(
+        names.replace("g [Hz]", "F [Hz]") + "\n" + "\n".join([",".join("1" * 13)] * 9) + "\n"
+    )
     with pytest.raises(InvalidInput, match=r"column 4\) and 'f \[Hz\]' \(column 5\) and 8 more may each be"):
         read_dynamic(tmp_path / "wide.csv")
 

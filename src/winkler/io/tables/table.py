@@ -184,6 +184,8 @@ def read_table(
     commas = DecimalCommas(file) if separator != "," else None
     above = {line.strip() for line in lines[max(header.line - 2, 0) : header.line] if line.strip()}
     again = above if repeated else frozenset[str]()
+    rows_above = (cells_of(line, separator) for line in above)
+    names = {tuple(row[p] for p in header.places) for row in rows_above if len(row) == len(header.cells)}
     repeats = list[int]()
     cells_read, places, incomplete = array("d"), array("q"), list[int]()
     needed = [number for number, column in enumerate(columns) if column.word not in gaps]
@@ -244,6 +246,9 @@ def read_table(
         except ValueError:
             if not any(cells[place] for place in header.places):
                 continue  # only columns that are not asked for go on
+            if repeated and tuple(cells[place] for place in header.places) in names:  # of the second specimen
+                repeats.append(index + 1)
+                continue
             row = [
                 number_in(
                     cells[p] if commas is None else commas.with_point(cells[p], index + 1),

@@ -19,7 +19,7 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import SegmentKind
 from winkler.fitting.nanoindentation.thermal_drift import found_drift
 from winkler.fitting.nanoindentation.zero_point import found_zero_point
-from winkler.io.curves import try_curves
+from winkler.io.curves import BENDING, try_curves
 from winkler.io.foreign import reason_of
 from winkler.io.indenter_file import AREA, read_indenter
 from winkler.io.indenter_file import DEPTH as CONTACT_DEPTH
@@ -32,10 +32,10 @@ from winkler.io.tables.path_table import LATERAL_COLUMNS
 from winkler.io.tables.relaxation_table import MODULI, SHEAR_STORAGE, read_creep, read_dynamic, read_relaxation
 from winkler.io.tables.scan_table import HEIGHT_COLUMN, PLACE_COLUMN
 from winkler.io.tables.table import read_table
-from winkler.io.tables.table_cells import cells_of
-from winkler.io.tables.table_lines import TablePart, sheets_naming
+from winkler.io.tables.table_cells import cells_of, like_number
+from winkler.io.tables.table_lines import TablePart, sheets_naming, table_head
 from winkler.io.tables.tests_of_table import parts_of_table
-from winkler.io.text_file import existing, head_of
+from winkler.io.text_file import existing
 from winkler.io.workbooks.workbook_cells import is_workbook
 from winkler.loading.loads import Angle, Torque
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
@@ -65,6 +65,7 @@ NO_PLACES = (
     "its header names heights and no places; give --lengths '4 mm', the length of the scan, --unit of the heights, and "
     "--channel, the name of another column."
 )
+OWN_NAMES = "; if a column holds heights at equal steps, give --channel, its name, --lengths '4 mm', that of the scan, and --unit."
 NO_UNIT_OF_MAP = "does not state the unit of its heights"
 MOST_OF_TABLE = 24
 """Columns of bare numbers that may be a table and no map."""
@@ -193,7 +194,7 @@ def _reason(file: Path, last: str, reasons: Sequence[tuple[str, str]]) -> str:
     named = [(what, why.removeprefix(f"{file}: ")) for what, why in reasons]
     if not named and NO_HEADER in last:
         return f"{last.rstrip('.')}; of a force curve {BARE_CURVE}; of moduli {BARE_MODULI}."
-    if not named and NO_UNIT_OF_MAP in last and 2 <= _bare_columns(file) <= MOST_OF_TABLE:
+    if len(named) < 2 and NO_UNIT_OF_MAP in last and 2 <= _bare_columns(file) <= MOST_OF_TABLE:
         return f"{last.rstrip('.')}; of a table without names: {BARE_CURVE}; of moduli {BARE_MODULI}."
     if not named or (len(named) == 1 and "does not state" in last):
         return last
@@ -202,12 +203,13 @@ def _reason(file: Path, last: str, reasons: Sequence[tuple[str, str]]) -> str:
 
 
 def _bare_columns(file: Path) -> int:
-    """Return the number of cells in the first line of a text; zero of other files."""
+    """Return the number of cells in the first row of numbers of a text or a sheet; zero of other files."""
     try:
-        line = head_of(file, "numbers")[0]
-    except (IndexError, InvalidInput):
+        lines = table_head(file, "numbers")
+    except InvalidInput:
         return 0
-    return max(len(cells_of(line, separator)) for separator in SEPARATORS_TRIED)
+    rows = (cells_of(line.strip(), separator) for line in lines for separator in SEPARATORS_TRIED if line.strip())
+    return next((len(row) for row in rows if len(row) > 1 and all(map(like_number, row))), 0)
 
 
 def _as_table_or_curve(file: Path, *, brief: bool) -> Inspection | list[tuple[str, str]]:
@@ -236,8 +238,13 @@ def _as_table_or_curve(file: Path, *, brief: bool) -> Inspection | list[tuple[st
         found = _by_header(file, head, kind, reasons)
         if found is not None:
             return found
-    of_curve = ("force curve", curve.reason)
-    if LACKS_UNIT in curve.reason or (not head and (states_curves(file) or is_workbook(file))):
+    own = "" if is_curve or reasons or _bare_columns(file) < 2 else OWN_NAMES
+    of_curve = ("force curve", curve.reason.rstrip(".") + own if own else curve.reason)
+    if (
+        LACKS_UNIT in curve.reason
+        or (head and BENDING in curve.reason)
+        or (not head and (states_curves(file) or is_workbook(file)))
+    ):
         return [of_curve, *reasons]
     if not head or names_columns(file, SCAN, head=head):  # bare numbers, and scans: the reason is that of surfaces
         return reasons
