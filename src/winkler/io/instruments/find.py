@@ -30,10 +30,12 @@ from winkler.io.workbooks.workbook_cells import is_workbook
 from winkler.values.errors import InvalidInput
 from winkler.values.limits import HEADER_LETTERS
 
-__all__ = ["instrument_tests", "refuse_method", "states_curves"]
+__all__ = ["METHOD", "instrument_tests", "refuse_method", "states_curves"]
 
 UNREAD = (".tdm", ".tdx")
 """Files of Hysitron in a format of National Instruments, of which no public one was found to compare numbers with."""
+METHOD = "it is the method"
+"""Of a test, which some export in place of its numbers."""
 JPK_CURVES = (".jpk-force", ".jpk-qi-data")
 """How the endings of JPK's files of curves begin."""
 Tests = Iterator[InstrumentTest]
@@ -106,7 +108,7 @@ def refuse_method(head: Sequence[str], path: object) -> None:
     if any(line.startswith("Method Name :") for line in head[:3]):
         method = head[0].partition(":")[2].strip().rpartition("\\")[2]
         raise InvalidInput(
-            f"{path}: there is no table of a force curve in this text; it is the method '{method}' of NanoSuite "
+            f"{path}: there is no table of a force curve in this text; {METHOD} '{method}' of NanoSuite "
             "(channels and inputs), and its curves are in the workbook (.xls) that NanoSuite exports."
         )
 

@@ -23,8 +23,9 @@ from winkler.io.curves import BENDING, try_curves
 from winkler.io.foreign import reason_of
 from winkler.io.indenter_file import AREA, read_indenter
 from winkler.io.indenter_file import DEPTH as CONTACT_DEPTH
-from winkler.io.instruments.find import states_curves
+from winkler.io.instruments.find import METHOD, states_curves
 from winkler.io.placed_curves import UnreadCurve
+from winkler.io.tables.column import Column
 from winkler.io.tables.curve_table import DEPTH, FORCE, RESULTS, is_curve_table
 from winkler.io.tables.given_units import LACKS_UNIT
 from winkler.io.tables.header import SEPARATORS_TRIED, header_lines, names_columns
@@ -69,6 +70,8 @@ OWN_NAMES = "; if a column holds heights at equal steps, give --channel, its nam
 NO_UNIT_OF_MAP = "does not state the unit of its heights"
 MOST_OF_TABLE = 24
 """Columns of bare numbers that may be a table and no map."""
+REDUCED = Column("reduced modulus", ("er", "reduced modulus"), "Pa")
+"""In lists of results."""
 OF_MODULI = ("storage and loss", "storage and loss at several temperatures")
 SCAN = (PLACE_COLUMN, HEIGHT_COLUMN)
 TIPS = {".toml"}
@@ -240,11 +243,8 @@ def _as_table_or_curve(file: Path, *, brief: bool) -> Inspection | list[tuple[st
             return found
     own = "" if is_curve or reasons or _bare_columns(file) < 2 else OWN_NAMES
     of_curve = ("force curve", curve.reason.rstrip(".") + own if own else curve.reason)
-    if (
-        LACKS_UNIT in curve.reason
-        or (head and BENDING in curve.reason)
-        or (not head and (states_curves(file) or is_workbook(file)))
-    ):
+    lacks = (LACKS_UNIT, METHOD, BENDING) if head else (LACKS_UNIT,)
+    if any(one in curve.reason for one in lacks) or (not head and (states_curves(file) or is_workbook(file))):
         return [of_curve, *reasons]
     if not head or names_columns(file, SCAN, head=head):  # bare numbers, and scans: the reason is that of surfaces
         return reasons
@@ -330,7 +330,7 @@ def _table_doubts(file: Path, kind: TableKind, content: object) -> Iterator[str]
             "those of plates, no path of a contact."
         )
     if isinstance(content, AreaTable):
-        beside = [one.word for one in (FORCE, *RESULTS) if names_columns(file, (AREA, one))]
+        beside = [one.word for one in (FORCE, *RESULTS, REDUCED) if names_columns(file, (AREA, one))]
         depth = read_table(file, (CONTACT_DEPTH, AREA)).read_as[0]
         if beside:
             yield (
