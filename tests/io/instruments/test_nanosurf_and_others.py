@@ -130,6 +130,16 @@ def test_both_ways_of_a_nid_follow_each_other(tmp_path, order):
         assert "Z-Axis Sensor" in curve.reading
 
 
+def test_lines_of_a_map_that_end_early_are_read_to_their_end(tmp_path):
+    """Each line keeps room for the longest; the rest, zeros, was taken for a jump of the tip to zero."""
+    content = _nid().replace(b"Lines=2", f"Lines=2\r\nLineDim1Points={PLACE.size - 3}".encode())
+    (tmp_path / "map.nid").write_bytes(content)
+    whole, ended = (placed.curve for placed in read_curves(tmp_path / "map.nid"))
+    assert whole.position.size == 2 * PLACE.size
+    np.testing.assert_allclose(ended.position[: PLACE.size - 3], whole.position[: PLACE.size - 3])
+    assert ended.position.size == 2 * (PLACE.size - 3)
+
+
 @pytest.mark.parametrize(
     ("content", "why"),
     [

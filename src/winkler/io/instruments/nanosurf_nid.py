@@ -1,8 +1,8 @@
 """Force curves in Nanosurf's own files (``.nid``): a head of sections, and whole numbers behind ``#!``.
 
 Each section ``[DataSet-G:C]`` states the size of one channel, and the least value and the range that its whole numbers
-span.  The channels follow each other in the order of groups and channels; each line of a channel is one curve.  Lines of
-a map have as many points as the longest; ``LineDim7Points`` states how many of the eighth were measured.
+span.  The channels follow each other in the order of groups and channels; each line of a channel is one curve.  Lines
+of a map have as many points as the longest; ``LineDim7Points`` states how many of the eighth were measured.
 """
 
 from __future__ import annotations

@@ -134,8 +134,8 @@ def read_curve_tables(path: str | os.PathLike[str], given: GivenFacts = NOTHING)
         raise InvalidInput(
             f"{path}: there is no table of a force curve in this text{names_seen(path, (DEPTH, FORCE))}; it needs one "
             f"line that names a {DEPTH.word} ({', '.join(DEPTH.names[:5])} ...) or {POSITION.word} "
-            f"({', '.join(POSITION.names[:5])} ...) and a {FORCE.word} ({', '.join(FORCE.names[:5])} ...) with units, as in "
-            f"'{DEPTH.example}, {FORCE.example}', and numbers below; or give columns = {{ depth = 1, force = 2 }}."
+            f"({', '.join(POSITION.names[:5])} ...) and a {FORCE.word} ({', '.join(FORCE.names[:5])} ...) with units, "
+            f"as in '{DEPTH.example}, {FORCE.example}', and numbers; or give columns = {{ depth = 1, force = 2 }}."
         )
     further = tuple(
         column for column in (TIME, STIFFNESS, SEGMENT) if names_columns(path, (place, load, column), head=head)

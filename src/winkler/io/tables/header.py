@@ -18,6 +18,7 @@ from winkler.values.units import scale
 __all__ = [
     "SEPARATORS_TRIED",
     "Header",
+    "bare_columns",
     "either",
     "header_lines",
     "header_of",
@@ -355,6 +356,16 @@ def _are_units(cells: Sequence[str]) -> bool:
 
     texts = [cell.strip("[]() ") for cell in cells if cell.strip("[]()- ")]
     return bool(texts) and all(len(text) <= LONGEST_UNIT and known(text) for text in texts)
+
+
+def bare_columns(path: str | os.PathLike[str]) -> int:
+    """Return the number of cells in the first row of numbers of a text or a sheet; zero of other files."""
+    try:
+        lines = table_head(path, "numbers")
+    except InvalidInput:
+        return 0
+    rows = (cells_of(line.strip(), separator) for line in lines for separator in SEPARATORS_TRIED if line.strip())
+    return next((len(row) for row in rows if len(row) > 1 and all(map(like_number, row))), 0)
 
 
 def names_seen(path: str | os.PathLike[str], columns: Sequence[Column]) -> str:

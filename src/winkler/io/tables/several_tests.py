@@ -1,8 +1,8 @@
 """Tests that follow each other in one table: where each begins.
 
 Within a test the force starts low, passes a peak and ends low.  A new test begins where rows are left blank or the
-header is repeated, where the time falls, or where the position jumps back, if both sides are such tests.  Specimens that
-break do not end low: where below each repeated header the time begins again, and the position where it began, each
+header is repeated, where the time falls, or where the position jumps back, if both sides are such tests.  Specimens
+that break do not end low: where below each repeated header the time begins again, and the position where it began, each
 header begins a test.
 """
 

@@ -2,8 +2,9 @@
 
 A group of an HDF5 file, or a structure of a MATLAB file, whose vectors have one length is a sheet; so is a table of
 records, and a frame that pandas has stored.  Of cell arrays beside each other, one for each quantity, the first cells
-are a sheet, then the second ones, and so on; a cell that is a matrix is one with its columns numbered.  Where pandas keeps the names of columns as a pickle, only the texts in it
-are read; nothing of it is run.
+are a sheet, then the second ones, and so on; a cell that is a matrix is one with its columns numbered.
+
+Where pandas keeps the names of columns as a pickle, only the texts in it are read; nothing of it is run.
 """
 
 from __future__ import annotations
