@@ -23,6 +23,7 @@ from winkler.io.instruments.micro_materials import NAME, is_micro_materials, tes
 from winkler.io.instruments.nanoscope import is_nanoscope, tests_of_nanoscope
 from winkler.io.instruments.nanosurf import is_nanosurf_text, tests_of_nanosurf_text
 from winkler.io.instruments.nanosurf_nid import is_nanosurf_nid, tests_of_nanosurf_nid
+from winkler.io.instruments.universal_text import is_universal_text, tests_of_universal_text
 from winkler.io.instruments.workbook import tests_of_workbook
 from winkler.io.tables.given_units import GivenFacts
 from winkler.io.text_file import head_of, lines_of, lines_of_bytes
@@ -90,6 +91,7 @@ def instrument_tests(path: Path, given: GivenFacts, *, is_text: bool) -> Tests |
         (is_nano_dma(head), lambda lines: tests_of_nano_dma(lines, path.name, path)),
         (is_fischerscope(head), lambda lines: tests_of_fischerscope(lines, path.name, path, dict(given.units))),
         (is_jpk_text(head), lambda lines: tests_of_jpk_text(lines, path.name, path, given)),
+        (is_universal_text(head), lambda lines: tests_of_universal_text(lines, path.name, path, given)),
         (is_nanosurf_text(head), lambda lines: tests_of_nanosurf_text(lines, path.name, path, given)),
         (is_femtotools(head), lambda lines: tests_of_femtotools(lines, path.name, path)),
         (is_micro_materials(head, path.name), lambda lines: tests_of_micro_materials(lines, path.name, path)),
