@@ -117,7 +117,7 @@ MATRIX = [
     ),
     (
         rows(";").replace("1.25", "1,25"),
-        ", line 2: '1,25' has a comma; write decimals with a point and thousands without, as '1.25'.",
+        ", line 2: '1,25' has a comma, and '1.0' a point; write one decimal sign in the whole file.",
     ),
     (
         rows(";").replace("1.25", "1,250"),

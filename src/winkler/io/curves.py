@@ -29,12 +29,14 @@ from winkler.io.placed_curves import PlacedCurve, UnreadCurve
 from winkler.io.segments import directions, segment_fact
 from winkler.io.tables.curve_table import is_curve_table, read_curve_tables
 from winkler.io.tables.given_units import GivenFacts, checked_columns, checked_units
+from winkler.io.tables.table_lines import table_sheets
 from winkler.io.text_file import UNMARKED_UTF16, UTF16_MARKS, existing, refuse_large
+from winkler.io.workbooks.array_workbook import is_array_workbook
 from winkler.io.workbooks.workbook_cells import is_workbook
 from winkler.values.errors import InvalidInput
 from winkler.values.limits import FILE_BYTES
 
-__all__ = ["PlacedCurve", "UnreadCurve", "read_curve", "read_curves", "try_curves"]
+__all__ = ["BENDING", "PlacedCurve", "UnreadCurve", "read_curve", "read_curves", "try_curves"]
 
 HDF5_ENDING = ".h5"
 ARCHIVE = ".zip"
@@ -43,6 +45,8 @@ ARCHIVE_ENDINGS = (".jpk", ARCHIVE)
 HIDDEN, MOST_MEMBERS = "__MACOSX", 10_000
 """Folder of another system's own files, and most files of an archive."""
 IMAGE_HINT = "; an image without curves is read by read_topography; else export its curves as text"
+BENDING = "the file does not state how a deflection becomes a force"
+"""What lacks of a curve of a microscope."""
 JPK_WAYS = ("extend", "retract")
 HEIGHT_COLUMNS = ("height (measured)", "height (piezo)")
 
@@ -154,7 +158,7 @@ def _each(path: str | os.PathLike[str], given: GivenFacts) -> Iterator[PlacedCur
         if given.columns:
             if not is_table:
                 raise InvalidInput(f"{file}: columns are counted in tables, and this is none; leave columns out.")
-            yield from read_curve_tables(file, given)
+            yield from _curves_of_columns(file, given)
             return
         tests = tests_side_by_side(file, given) if is_table and not is_text else None
         if tests is None:
@@ -173,6 +177,19 @@ def _each(path: str | os.PathLike[str], given: GivenFacts) -> Iterator[PlacedCur
             yield from read_curve_tables(file, given)
             return
         yield from _curves_of_afmformats(file, given)
+
+
+def _curves_of_columns(file: Path, given: GivenFacts) -> Iterator[PlacedCurve]:
+    """Yield the curves in columns of given numbers; of arrays those of each sheet, such as the cells of MATLAB."""
+    parts = table_sheets(file) if is_array_workbook(file) else []
+    if len(parts) < 2:
+        yield from read_curve_tables(file, given)
+        return
+    for part in parts:
+        for placed in read_curve_tables(part, given):
+            yield dataclasses.replace(
+                placed, curve=dataclasses.replace(placed.curve, name=f"{file.name}, {part.label}")
+            )
 
 
 def _curves_of_tests(
@@ -227,8 +244,7 @@ def _curves_of_afmformats(path: Path, given: GivenFacts) -> Iterator[PlacedCurve
                 "force = 2 } and units, or write a header such as 'depth [nm], force [uN]'"
             )
             raise InvalidInput(
-                f"{path}: the file does not state how a deflection becomes a force; give spring_constant in N/m and "
-                f"sensitivity in m/V{other * _is_text(path)}."
+                f"{path}: {BENDING}; give spring_constant in N/m and sensitivity in m/V{other * _is_text(path)}."
             ) from None
         except (InvalidInput, MemoryError):
             raise

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.io.array_file import read_arrays
+from winkler.io.tables.decimal_commas import DecimalCommas
 from winkler.io.tables.table_cells import number_in
 from winkler.io.tables.table_lines import table_lines
 from winkler.numerics.types import Array
@@ -176,11 +177,14 @@ def _rows(path: Path, numbered: list[tuple[int, str]], separator: str | None) ->
         usual, total, ends = min(usual, len(cells)), total + len(cells), ends and not cells[-1].strip()
         refuse_many(total, path)
     numbers, wide = array("d"), 0
+    commas, seen = DecimalCommas(str(path)) if separator != "," else None, False
     for number, line in numbered:
         cells = line.strip("\r\n ").split(separator)
         if ends or (separator is not None and len(cells) == usual + 1 and not cells[-1].strip()):
             cells.pop()  # some programs end a line with a separator
         wide = wide or len(cells)
+        if len(cells) != wide and separator == "\t":  # spaces in some rows, tabs in others
+            cells = line.split()
         if len(cells) != wide:
             raise InvalidInput(
                 f"{path}, line {number}: there are {len(cells)} heights, and {wide} above; give rows of equal length."
@@ -189,7 +193,14 @@ def _rows(path: Path, numbered: list[tuple[int, str]], separator: str | None) ->
             numbers.extend([float(cell) for cell in cells])
         except ValueError:
             where = f"{path}, line {number}"
-            numbers.extend([number_in(cell.strip(" \t\"'"), where, NO_HEIGHT) for cell in cells])
+            plain = [cell.strip(" \t\"'") for cell in cells]
+            seen = True
+            plain = [cell if commas is None else commas.with_point(cell, number) for cell in plain]
+            numbers.extend([number_in(cell, where, NO_HEIGHT) for cell in plain])
+    if commas is not None and seen:
+        for _, line in numbered:
+            commas.see_points(line.split(separator))
+        commas.refuse_ambiguous()
     return np.frombuffer(numbers).reshape(len(numbered), wide)
 
 

@@ -49,6 +49,7 @@ def _file(
     more=(),
     padded=False,
     beside=False,
+    parts=1,
 ):
     """A curve, or a volume whose curves touch later and later; with a sensor of the height."""
     count = int(np.prod(grid)) if grid else 1
@@ -75,6 +76,7 @@ def _file(
         r"\*File list end",
     ]  # fmt: skip
     head = "\r\n".join(lines).encode("latin-1") + b"\r\n\x1a"
+    blocks = [parts * block for block in blocks]
     numbers = np.concatenate([*blocks, *(sensed if sensor else [])]).astype(f"<i{size}").tobytes()
     content = head + b"\0" * (offset - len(head) + shift) + numbers
     file = tmp_path / "curve.spm"
@@ -97,6 +99,26 @@ def test_a_curve_is_read_from_its_head(tmp_path, size):
     assert curve.time[[THERE - 1, -1]] == pytest.approx([RAMP / SPEED, 1.5 * RAMP / SPEED])
     assert "sensitivity 27.39 nm/V from the file" in curve.reading
     assert "position from the ramp" in curve.reading
+
+
+@pytest.mark.parametrize(("met", "mode"), [(1.0, "Relative"), (0.7, "Relative"), (1.0, "Absolute")])
+def test_256ths_of_the_least_bit_are_those_that_meet_the_trigger(tmp_path, met, mode):
+    """A volume of version 9 states volts for the least bit, and stores 256ths of them; others are damaged."""
+    volts = met * float(_curve(THERE)[1].max())
+    more = (
+        rf"\Trigger mode: {mode}",
+        rf"\@4:Trig Threshold Deflection: V [Sens. DeflSens] ({LEAST} V/LSB) {volts:.6f} V",
+    )
+    file = _file(tmp_path, size=4, grid=(2, 2), parts=256, more=more)
+    if (met, mode) != (1.0, "Relative"):
+        with pytest.raises(InvalidInput, match="they do not stand where the head says"):
+            list(read_curves(file))
+        return
+    whole = [placed.curve for placed in read_curves(_file(tmp_path, size=4, grid=(2, 2)))]
+    file = _file(tmp_path, size=4, grid=(2, 2), parts=256, more=more)
+    for curve, expected in zip((placed.curve for placed in read_curves(file)), whole, strict=True):
+        np.testing.assert_allclose(curve.force, expected.force, rtol=1e-12, atol=1e-24)
+        assert "256ths of the least bit" in curve.reading
 
 
 def test_a_trigger_ends_the_extension_early(tmp_path):

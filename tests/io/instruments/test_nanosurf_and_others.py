@@ -130,6 +130,16 @@ def test_both_ways_of_a_nid_follow_each_other(tmp_path, order):
         assert "Z-Axis Sensor" in curve.reading
 
 
+def test_lines_of_a_map_that_end_early_are_read_to_their_end(tmp_path):
+    """Each line keeps room for the longest; the rest, zeros, was taken for a jump of the tip to zero."""
+    content = _nid().replace(b"Lines=2", f"Lines=2\r\nLineDim1Points={PLACE.size - 3}".encode())
+    (tmp_path / "map.nid").write_bytes(content)
+    whole, ended = (placed.curve for placed in read_curves(tmp_path / "map.nid"))
+    assert whole.position.size == 2 * PLACE.size
+    np.testing.assert_allclose(ended.position[: PLACE.size - 3], whole.position[: PLACE.size - 3])
+    assert ended.position.size == 2 * (PLACE.size - 3)
+
+
 @pytest.mark.parametrize(
     ("content", "why"),
     [
@@ -149,3 +159,35 @@ def test_a_damaged_nid_is_one_sentence(tmp_path, content, why):
     (tmp_path / "map.nid").write_bytes(content if b"Frame=Spec" in head else content[:200] + b"\r\nFrame=Spec forward")
     with pytest.raises(InvalidInput, match=why):
         list(read_curves(tmp_path / "map.nid"))
+
+
+def _unified(unit="volt", code="RE", title="Deflection"):
+    """Both ways from the deepest point on; an unstated unit of the second segment is that of the first."""
+    lines = ["HE UFF_code:                        _1_2_3", 'HE Entry_date:   "21 APR 2022"']
+    lines += [
+        "HE Cantilever_springK_used(N/m):    1.332E-01",
+        "HE Recording_inv_optical_lever_sens_used(m/V): 2.739E-08",
+    ]
+    for number, way in enumerate(("AP", code)):
+        lines += [f"HE Recording_segment_{number}_col_0_title: {'?' if number else 'Displacement'}"]
+        lines += [f"HE Recording_segment_{number}_col_0_unit:  {'?' if number else 'm'}"]
+        lines += [f"HE Recording_segment_{number}_col_1_title: {'?' if number else title}"]
+        lines += [f"HE Recording_segment_{number}_col_1_unit:  {'?' if number else unit}"]
+        lines += [f"{way}     {number}    {3e-9 * n:.6E}    {max(1.6 - 0.04 * n, 0.0):.6E} " for n in range(80)]
+    return "\n".join([*lines, "****", ""])
+
+
+def test_the_unified_text_of_a_microscope(tmp_path):
+    (tmp_path / "gel.uff").write_text(_unified())
+    curve = read_curve(tmp_path / "gel.uff")
+    bent = 0.1332 * 2.739e-8 * np.maximum(1.6 - 0.04 * np.arange(80), 0.0)
+    np.testing.assert_allclose(curve.force, np.append(bent[::-1], bent), rtol=1e-6)
+    np.testing.assert_allclose(curve.position[[0, 79, 80, -1]], [-237e-9, 0.0, 0.0, -237e-9], atol=1e-15)
+    assert curve.machine_stiffness == 0.1332
+    for wrong, why in (
+        ({"code": "PA"}, "its segments are AP, PA"),
+        ({"title": "Phase"}, "a displacement and a deflection"),
+    ):
+        (tmp_path / "gel.uff").write_text(_unified(**wrong))
+        with pytest.raises(InvalidInput, match=why):
+            read_curve(tmp_path / "gel.uff")

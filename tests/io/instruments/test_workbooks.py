@@ -1,5 +1,6 @@
 """Workbooks of Agilent, Keysight and MTS indenters, in both formats."""
 
+import struct
 import sys
 
 import numpy as np
@@ -207,3 +208,14 @@ def test_a_sheet_of_a_rheometer_is_a_table(tmp_path):
         book.active.append([n, 1.0 - 0.01 * n, 0.01 * n**2])
     book.save(tmp_path / "gap.xlsx")
     assert np.ptp(read_curve(tmp_path / "gap.xlsx", spring_constant=float("inf")).position) == pytest.approx(0.29e-3)
+
+
+def test_a_damaged_drawing_does_not_refuse_a_sheet(tmp_path):
+    """Unexpected data at end of OBJECT record: xlrd reads no cell of such a sheet."""
+    rows = [["Depth (nm)", "Load (mN)"], *[[float(n), 1e-3 * n * n] for n in range(1, 40)]]
+    pytest.importorskip("xlrd")
+    drawing = struct.pack("<HH18xHH", 0x15, 18, 0, 0) + b"\x01\x01"
+    for number, damaged in enumerate((b"", drawing)):
+        path = tmp_path / f"{number}.xls"
+        path.write_bytes(old_workbook({"Test": rows}, version=8, drawing=damaged))
+        assert read_curve(path).force[-1] == pytest.approx(1.521e-3)

@@ -205,6 +205,28 @@ def test_a_rheometer_in_japanese_groups_thousands_in_quotes(tmp_path):
 
 def test_many_columns_of_one_name_are_counted(tmp_path):
     names = ",".join(["f [Hz]", "G' [Pa]", "G'' [Pa]"] + ["f [Hz]"] * 9)
-    (tmp_path / "wide.csv").write_text(names + "\n" + "\n".join([",".join("1" * 12)] * 9) + "\n")
-    with pytest.raises(InvalidInput, match=r"column 4\) and 'f \[Hz\]' \(column 5\) and 7 more may each be"):
+    names += ",g [Hz]"
+    (tmp_path / "wide.csv").write_text(
+        names.replace("g [Hz]", "F [Hz]") + "\n" + "\n".join([",".join("1" * 13)] * 9) + "\n"
+    )
+    with pytest.raises(InvalidInput, match=r"column 4\) and 'f \[Hz\]' \(column 5\) and 8 more may each be"):
         read_dynamic(tmp_path / "wide.csv")
+
+
+@pytest.mark.parametrize("mark", [",", ", "])
+def test_a_column_that_stands_again_is_read_if_its_numbers_are_the_same(tmp_path, mark):
+    """Rheometers and tribometers repeat time or temperature before a later group of columns."""
+    frequency = np.geomspace(0.1, 10.0, 9)
+    rows = [[w, 1e3 + w, 1e2 + w, w, 0.1] for w in frequency.tolist()]
+    path = tmp_path / "twice.csv"
+
+    def write():
+        names = ["f [Hz]", "G' [Pa]", "G'' [Pa]", "f [Hz]", "tan delta [-]"]
+        path.write_text("\n".join(mark.join(map(str, row)) for row in [names, *rows]) + "\n")
+
+    write()
+    np.testing.assert_allclose(read_dynamic(path).angular_frequency, 2.0 * np.pi * frequency, rtol=1e-12)
+    rows[5][3] *= 1.001
+    write()
+    with pytest.raises(InvalidInput, match=r"'f \[Hz\]' \(column 1\) and 'f \[Hz\]' \(column 4\) may each be"):
+        read_dynamic(path)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from winkler.io.curves import read_curve
+from winkler.io.curves import read_curve, read_curves
+from winkler.io.logs.log_tables import read_pin
 from winkler.io.tables.relaxation_table import read_dynamic, read_relaxation
 from winkler.io.tables.scan_table import read_scan
 from winkler.io.tables.sweeps_table import read_dynamic_sweeps
@@ -264,3 +265,96 @@ def test_a_test_with_an_extension_is_no_hold(tmp_path):
     assert found.taken_for in ("force curve", "nanoindentation")
     assert "position from 'Extension [mm]', force from 'Load [N]', time from 'Time [s]'" in found.reason
     assert read_curve(path, spring_constant=1e6).position == pytest.approx(DEPTH * 1e-3)
+
+
+TRIBOMETER = "\t".join(
+    ["Step Time (s)", "Traction Coeff (-)", "", "Step Time (s)", "Wear (um)", "Disc Speed 1", "Disc Speed 2"]
+)
+
+
+def _steps(*lengths, other=""):
+    """A log of a ball on a disc: a header above each step, words between, and a sentence at its end."""
+    lines = ["Test Data File", "Comments:", ""]
+    for number, length in enumerate(lengths, start=1):
+        lines += [f"Step {number} started at 23/03/2018", "Step type\tTIMED\tStep description\tNew step", TRIBOMETER]
+        lines += [f"{t}\t{0.05 * number}\t\t{other or t}\t{10 * number + t}\t100.2\t99.9" for t in range(1, length + 1)]
+        lines += [""]
+    return "\n".join([*lines, "All steps completed, test completed normally at 23/03/2018 12:24:47", ""])
+
+
+def test_steps_of_a_tribometer_follow_each_other(tmp_path):
+    """Names hold spaces, so only tabs part them; a time stands twice; the clock of each step begins at 1 s."""
+    (tmp_path / "log.txt").write_text(_steps(30, 20))
+    log = read_pin(tmp_path / "log.txt", speed=0.1)
+    np.testing.assert_allclose(log.distance, 0.1 * np.arange(1.0, 51.0))
+    np.testing.assert_allclose(log.friction, np.repeat([0.05, 0.1], [30, 20]))
+    np.testing.assert_allclose(log.height_loss, 1e-6 * np.r_[11.0:41.0, 21.0:41.0])
+    (tmp_path / "one.txt").write_text(_steps(30))
+    np.testing.assert_allclose(read_pin(tmp_path / "one.txt", speed=0.1).distance, 0.1 * np.arange(1.0, 31.0))
+    (tmp_path / "two.txt").write_text(_steps(30, other="5"))
+    with pytest.raises(
+        InvalidInput, match=r"'Step Time \(s\)' \(column 1\) and 'Step Time \(s\)' \(column 4\) may each"
+    ):
+        read_pin(tmp_path / "two.txt", speed=0.1)
+
+
+def _specimens(start=0.0):
+    """An export of a testing machine: results, then each specimen below a header with its number; it breaks at 60 %."""
+    lines = ["Results Table 1,,", ",Maximum Force,", ",(N),", "1,900,", "2,1800,", ""]
+    for number in (1, 2):
+        lines += [f"{number},Time,Displacement,Force", ",(s),(mm),(N)"]
+        load = number * 900.0 * np.append(np.linspace(0.0, 1.0, 40), [0.9, 0.6])
+        lines += [f",{0.1 * n:.1f},{start * (number - 1) + 0.01 * n:.3f},{f:.3f}" for n, f in enumerate(load)]
+    return "\n".join([*lines, ""])
+
+
+def test_specimens_below_numbered_headers_are_tests(tmp_path):
+    (tmp_path / "raw.csv").write_text(_specimens())
+    first, second = read_curves(tmp_path / "raw.csv", spring_constant=np.inf)
+    assert first.curve.force.max() == pytest.approx(900.0)
+    assert second.curve.force.max() == pytest.approx(1800.0)
+    assert second.curve.position[[0, -1]] == pytest.approx([0.0, 0.41e-3])
+    (tmp_path / "on.csv").write_text(_specimens(start=0.4))  # the second goes on where the first has ended
+    with pytest.raises(InvalidInput, match="the header with the position stands again"):
+        list(read_curves(tmp_path / "on.csv", spring_constant=np.inf))
+
+
+@pytest.mark.parametrize("mark", ["\t", " "])
+def test_numbers_without_names_may_have_decimal_commas_and_other_gaps(tmp_path, mark):
+    """'-32,4285 -13,63499' below '-32,5<tab>-14': there are 1 heights, and 2 above."""
+    place = np.linspace(-32.5, 32.5, 80)
+    rows = [f"{x:.4f}{mark if n else chr(9)}{-14.0 - 0.01 * x * x:.5f}" for n, x in enumerate(place)]
+    (tmp_path / "rail.dat").write_text("\n".join(rows).replace(".", ",") + "\n")
+    assert "or give its unit, such as unit = 'um'" in inspect_file(tmp_path / "rail.dat").reason
+    assert read_scan(tmp_path / "rail.dat", unit="mm, um").heights[-1] == pytest.approx(-24.5625e-6)
+    (tmp_path / "rail.dat").write_text("\n".join(rows) + "\n")
+    assert read_scan(tmp_path / "rail.dat", unit="mm").heights[-1] == pytest.approx(-24.5625e-3)
+    rows[30] = rows[30].replace(".", ",")
+    (tmp_path / "rail.dat").write_text("\n".join(rows) + "\n")
+    assert "write one decimal sign in the whole file" in inspect_file(tmp_path / "rail.dat").reason
+
+
+def test_a_map_with_decimal_commas(tmp_path):
+    heights = np.random.default_rng(5).normal(0.0, 1.0, (12, 12)).round(4) + 0.00005
+    text = "\n".join("\t".join(f"{z:.5f}" for z in row) for row in heights)
+    (tmp_path / "map.txt").write_text(text.replace(".", ","))
+    rough = read_topography(tmp_path / "map.txt", unit="um", lengths=(1e-6, 1e-6))
+    np.testing.assert_allclose(rough.heights, 1e-6 * heights, rtol=1e-12)
+
+
+def test_what_lacks_is_named_by_its_key(tmp_path):
+    """Columns under the owner's own names, moduli below a line of parameters, a curve without its lever."""
+    own = _file(tmp_path, [",trace_a,trace_b"], [np.arange(40.0), DEPTH[:40] % 7, DEPTH[:40] % 5], "own.csv")
+    assert "if a column holds heights at equal steps, give --channel, its name, --lengths" in inspect_file(own).reason
+    moduli = tmp_path / "melt.tts"
+    rows = [f"{w:.4g} {1e3 * w:.5g} {2e2 * w:.5g}" for w in np.geomspace(0.1, 10.0, 20)]
+    moduli.write_text("\n".join(["Ma=14.8;Mb=53.8;q=7.0;", "#", *rows]) + "\n")
+    assert 'of moduli give header = "frequency [Hz], storage [kPa], loss [kPa]"' in inspect_file(moduli).reason
+    pytest.importorskip("afmformats")
+    head = ["Force-Distance Curve", "File Format:\t3", "", "Mode:\tSingle", "Point:\t1", "X, um:\t25", "Y, um:\t25", ""]
+    head += ["Extend Z-Sense(nm),Extend T-B(V),Retract Z-Sense(nm),Retract T-B(V)"]
+    bent = np.maximum(DEPTH - 60.0, 0.0) * 1e-3
+    lever = _file(tmp_path, head, [DEPTH, bent, DEPTH[::-1], bent[::-1]], "lever.csv")
+    assert "give spring_constant in N/m and sensitivity in m/V" in inspect_file(lever).reason
+    curve = read_curve(lever, spring_constant=2.0, sensitivity=1e-6)
+    assert curve.force.max() == pytest.approx(2.0 * 1e-6 * 0.04)

@@ -51,6 +51,45 @@ def test_structures_that_stand_again_are_tests(tmp_path):
     np.testing.assert_allclose(second.curve.force, 2.0 * first.curve.force)
 
 
+def cells(*contents):
+    array = np.empty(len(contents), object)
+    array[:] = contents
+    return array
+
+
+@pytest.mark.parametrize("name", ["", "tests"])
+def test_the_cells_of_each_place_are_a_test(tmp_path, name):
+    """depth{2} and force{2} are the second curve, and shorter than the first."""
+    content = {"depth": cells(DEPTH, DEPTH[:40]), "force": cells(FORCE, 2.0 * FORCE[:40]), "sample": cells("a", "b")}
+    savemat(tmp_path / "cells.mat", {name: content} if name else content)
+    first, second = (placed.curve for placed in read_curves(tmp_path / "cells.mat", units=UNITS))
+    assert is_the_curve(first)
+    np.testing.assert_allclose(second.force, 2.0 * first.force[:40])
+
+
+def test_cells_of_a_workspace_in_hdf5(tmp_path):
+    path = tmp_path / "cells.mat"
+    with h5py.File(path, "w", userblock_size=512) as file:
+        for name, vector in (("depth", DEPTH), ("force", FORCE)):
+            parts = [file.create_dataset(f"#refs#/{name}{number}", data=vector[None, :]) for number in range(2)]
+            file[name] = np.array([[one.ref] for one in parts], dtype=h5py.ref_dtype)
+    with path.open("r+b") as file:
+        file.write(b"MATLAB 7.3 MAT-file".ljust(512))
+    first, second = (placed.curve for placed in read_curves(path, units=UNITS))
+    assert is_the_curve(first)
+    assert is_the_curve(second)
+
+
+def test_matrices_in_cells_are_read_by_the_numbers_of_their_columns(tmp_path):
+    both = np.column_stack([DEPTH, FORCE])
+    savemat(tmp_path / "cells.mat", {"curve": cells(both, both[:40])})
+    with pytest.raises(wk.InvalidInput, match="no sheet of the workbook has a row that names a depth and a force"):
+        wk.read_curve(tmp_path / "cells.mat")
+    found = [one.curve for one in read_curves(tmp_path / "cells.mat", units=UNITS, columns={"depth": 1, "force": 2})]
+    assert [one.position.size for one in found] == [60, 40]
+    assert [one.name for one in found] == ["cells.mat, sheet 'curve 1'", "cells.mat, sheet 'curve 2'"]
+
+
 def test_a_workspace_of_matlab_in_hdf5(tmp_path):
     path = tmp_path / "curve.mat"
     with h5py.File(path, "w", userblock_size=512) as file:

@@ -364,3 +364,17 @@ def test_bare_numbers_are_told_how_curves_and_moduli_are_named(tmp_path):
     named = re.search(r'of moduli give header = "(.*)"', reason)
     assert named
     assert read_dynamic(path, header=named[1]).storage_shear[-1] == pytest.approx(1.6e3)
+
+
+def test_a_force_that_falls_over_the_whole_way_in_is_doubted(tmp_path):
+    """A microscope's curve through 13 um of air: -15 nN at its end, and nothing was said."""
+    way = np.linspace(0.0, 13e3, 400)
+    noise = np.random.default_rng(8).normal(0.0, 0.01, 800)
+    drift = np.append(-way / 1e3, -way[::-1] / 1e3) + noise
+    segment = np.repeat([0.0, 1.0], 400)
+    header = "depth [nm], force [nN], segment"
+    path = table(tmp_path / "air.csv", header, np.append(way, way[::-1]), drift, segment)
+    assert any("falls over the whole way in, by" in doubt for doubt in inspect_file(path).doubts)
+    pressed = drift + np.append(np.maximum(way - 12e3, 0.0), np.maximum(way[::-1] - 12e3, 0.0)) / 10.0
+    path = table(tmp_path / "gel.csv", header, np.append(way, way[::-1]), pressed, segment)
+    assert not any("whole way in" in doubt for doubt in inspect_file(path).doubts)

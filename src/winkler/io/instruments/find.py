@@ -23,6 +23,7 @@ from winkler.io.instruments.micro_materials import NAME, is_micro_materials, tes
 from winkler.io.instruments.nanoscope import is_nanoscope, tests_of_nanoscope
 from winkler.io.instruments.nanosurf import is_nanosurf_text, tests_of_nanosurf_text
 from winkler.io.instruments.nanosurf_nid import is_nanosurf_nid, tests_of_nanosurf_nid
+from winkler.io.instruments.universal_text import is_universal_text, tests_of_universal_text
 from winkler.io.instruments.workbook import tests_of_workbook
 from winkler.io.tables.given_units import GivenFacts
 from winkler.io.text_file import head_of, lines_of, lines_of_bytes
@@ -30,10 +31,12 @@ from winkler.io.workbooks.workbook_cells import is_workbook
 from winkler.values.errors import InvalidInput
 from winkler.values.limits import HEADER_LETTERS
 
-__all__ = ["instrument_tests", "refuse_method", "states_curves"]
+__all__ = ["METHOD", "instrument_tests", "refuse_method", "states_curves"]
 
 UNREAD = (".tdm", ".tdx")
 """Files of Hysitron in a format of National Instruments, of which no public one was found to compare numbers with."""
+METHOD = "it is the method"
+"""Of a test, which some export in place of its numbers."""
 JPK_CURVES = (".jpk-force", ".jpk-qi-data")
 """How the endings of JPK's files of curves begin."""
 Tests = Iterator[InstrumentTest]
@@ -88,6 +91,7 @@ def instrument_tests(path: Path, given: GivenFacts, *, is_text: bool) -> Tests |
         (is_nano_dma(head), lambda lines: tests_of_nano_dma(lines, path.name, path)),
         (is_fischerscope(head), lambda lines: tests_of_fischerscope(lines, path.name, path, dict(given.units))),
         (is_jpk_text(head), lambda lines: tests_of_jpk_text(lines, path.name, path, given)),
+        (is_universal_text(head), lambda lines: tests_of_universal_text(lines, path.name, path, given)),
         (is_nanosurf_text(head), lambda lines: tests_of_nanosurf_text(lines, path.name, path, given)),
         (is_femtotools(head), lambda lines: tests_of_femtotools(lines, path.name, path)),
         (is_micro_materials(head, path.name), lambda lines: tests_of_micro_materials(lines, path.name, path)),
@@ -106,7 +110,7 @@ def refuse_method(head: Sequence[str], path: object) -> None:
     if any(line.startswith("Method Name :") for line in head[:3]):
         method = head[0].partition(":")[2].strip().rpartition("\\")[2]
         raise InvalidInput(
-            f"{path}: there is no table of a force curve in this text; it is the method '{method}' of NanoSuite "
+            f"{path}: there is no table of a force curve in this text; {METHOD} '{method}' of NanoSuite "
             "(channels and inputs), and its curves are in the workbook (.xls) that NanoSuite exports."
         )
 

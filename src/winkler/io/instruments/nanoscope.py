@@ -34,6 +34,10 @@ NAME = re.compile(r'[^"]*"(?P<name>[^"]{1,60})".*')
 POINT_BYTES = (2, 4)
 LARGEST_COUNT = 65536
 """The least bit is that of a converter of 16 bits, also where four bytes are stored."""
+PARTS = 256
+"""Parts of the least bit in which some volumes of version 9 store four bytes; no key of the head says so."""
+TRIGGER, SAME_TRIGGER, FAR = "@4:Trig Threshold Deflection", 0.1, 0.1
+"""Volts at which the extension ends, how well it must be met, and the far part of the extension."""
 MOST_CURVES = 1_000_000
 
 
@@ -79,11 +83,11 @@ def tests_of_nanoscope(path: Path, given: GivenFacts) -> Iterator[InstrumentTest
         raise InvalidInput(f"{path}: it states no spring constant; give spring_constant in N/m.")
     sensor = next((one for one in head.channels if one.name.lower() == "height sensor"), None)
     sensitivity, of_sensitivity = _sensitivity(deflection, head, given, path)
-    force = _numbers(deflection, head, content, path)
+    force, parts = _numbers(deflection, head, content, path)
     passes = _counts_of(deflection, path)
     ramp, speed = _ramp(deflection, head, path)
     place = (
-        (_numbers(sensor, head, content, path), _least(sensor, path) * _sensor_sensitivity(sensor, head, path))
+        (_numbers(sensor, head, content, path)[0], _least(sensor, path) * _sensor_sensitivity(sensor, head, path))
         if sensor is not None and _counts_of(sensor, path) == passes
         else None
     )
@@ -96,6 +100,7 @@ def tests_of_nanoscope(path: Path, given: GivenFacts) -> Iterator[InstrumentTest
         + ("'Height Sensor'" if place is not None else "the ramp, its size and number of points"),
         of_sensitivity,
         *(["no sensor measured the height: a creep of the piezo is not seen"] if place is None else []),
+        *([f"its numbers are {PARTS}ths of the least bit: the stated trigger is met by them"] if parts != 1 else []),
     )
     direction = np.repeat([IN, OUT], passes)
     missing = np.iinfo(force.dtype).min
@@ -103,7 +108,7 @@ def tests_of_nanoscope(path: Path, given: GivenFacts) -> Iterator[InstrumentTest
     size, origin = _scan(head)
     for number, counts in enumerate(force):
         valid = counts != missing
-        volts = _turned(counts, passes[0]) * _least(deflection, path)
+        volts = _turned(counts, passes[0]) * _least(deflection, path) / parts
         load = np.where(_turned(valid, passes[0]), volts * sensitivity * spring, np.nan)
         position = driven if place is None else _turned(place[0][number], passes[0]) * place[1]
         line, column = divmod(number, columns)
@@ -170,8 +175,8 @@ def _counts_of(channel: _Channel, path: Path) -> tuple[int, int]:
     return counts[-1], counts[0]
 
 
-def _numbers(channel: _Channel, head: _Head, content: bytes, path: Path) -> Array:
-    """Return the integers of all curves ``(curves, points)``."""
+def _numbers(channel: _Channel, head: _Head, content: bytes, path: Path) -> tuple[Array, int]:
+    """Return the integers of all curves ``(curves, points)``, and of how many parts of the least bit they are."""
     offset, length = (_whole(channel.settings, key, path) for key in ("Data offset", "Data length"))
     passes = _counts_of(channel, path)
     curves, points = head.grid[0] * head.grid[1], sum(passes)
@@ -191,12 +196,25 @@ def _numbers(channel: _Channel, head: _Head, content: bytes, path: Path) -> Arra
     if padded:
         counts = np.delete(counts, np.r_[passes[0] : max(passes), max(passes) + passes[1] : 2 * max(passes)], axis=1)
     largest = float(np.abs(counts[0].astype(float)).max())
+    if largest > LARGEST_COUNT and _meets_trigger(counts / PARTS, channel, head, path):
+        return counts, PARTS
     if largest > LARGEST_COUNT:
         raise InvalidInput(
             f"{path}: numbers of '{channel.name}' are up to {largest:.3g}, and those of its converter up to "
             f"{LARGEST_COUNT}: they do not stand where the head says; copy the file anew, unedited."
         )
-    return counts
+    return counts, 1
+
+
+def _meets_trigger(counts: Array, channel: _Channel, head: _Head, path: Path) -> bool:
+    """Return whether the extension of most curves ends at the deflection of the relative trigger that is stated."""
+    there, _ = _counts_of(channel, path)
+    stated = VOLTS.fullmatch(head.settings.get(TRIGGER, ""))
+    if head.settings.get("Trigger mode") != "Relative" or stated is None:
+        return False
+    rise = counts[:, 0] - np.median(counts[:, there - max(round(FAR * there), 1) : there], axis=1)
+    volts, wanted = float(np.median(rise)) * _least(channel, path), float(stated["hard"])
+    return abs(volts - wanted) <= SAME_TRIGGER * abs(wanted)
 
 
 def _turned(values: Array, first: int) -> Array:

@@ -1,7 +1,8 @@
 """Force curves in Nanosurf's own files (``.nid``): a head of sections, and whole numbers behind ``#!``.
 
 Each section ``[DataSet-G:C]`` states the size of one channel, and the least value and the range that its whole numbers
-span.  The channels follow each other in the order of groups and channels; each line of a channel is one curve.
+span.  The channels follow each other in the order of groups and channels; each line of a channel is one curve.  Lines
+of a map have as many points as the longest; ``LineDim7Points`` states how many of the eighth were measured.
 """
 
 from __future__ import annotations
@@ -99,12 +100,13 @@ def _test(
             raise InvalidInput(f"{path}: its height '{height.name}' is in {height.unit!r}; export the curve as text.")
         z, f = height.numbers[number], bend.numbers[number]
         size = min(z.size, f.size)
-        z, f = z[:size], f[:size]
+        measured = np.isfinite(z[:size]) & np.isfinite(f[:size])
+        z, f = z[:size][measured], f[:size][measured]
         if position and is_written_backwards(position[-1], z):
             z, f = z[::-1], f[::-1]
         position.append(z)
         force.append(factor * f)
-        frame.append(np.full(size, place))
+        frame.append(np.full(z.size, place))
     height, bend = pairs[0]
     at, load, numbers = np.concatenate(position), np.concatenate(force), np.concatenate(frame)
     notes = (
@@ -146,6 +148,9 @@ def _channels(path: Path) -> tuple[list[_FrameChannel], Sections]:
                 raw = np.frombuffer(numbers[begin:end], dtype=BITS[bits]).reshape(lines, points)
                 low, span = (_real(section, key, path) for key in ("Dim2Min", "Dim2Range"))
                 scaled = low + span * (raw + 2.0 ** (bits - 1)) / 2.0**bits
+                for line in range(lines):
+                    measured = _whole(section, f"LineDim{line}Points", path, 2**31) or points
+                    scaled[line, measured:] = np.nan
                 name, unit = section.get("Dim2Name", ""), section.get("Dim2Unit", "")
                 channels.append(_FrameChannel(section["Frame"], name, unit, scaled))
             begin = end

@@ -57,7 +57,8 @@ def tests_of_workbook(path: Path) -> Iterator[InstrumentTest]:
     if not tests:
         listed = ", ".join(f"'{sheet.name}'" for sheet in sheets[:12])
         raise InvalidInput(
-            f"{path}: no sheet of the workbook has a row that names a depth and a force; there are {listed}."
+            f"{path}: no sheet of the workbook has a row that names a depth and a force; there are {listed}; of "
+            "numbers without names give columns = { depth = 1, force = 2 } and units."
         )
     kept = [test for test in tests if not is_results(test)]
     lists = [f"'{test.name.removeprefix(f'{path.name}, ')}'" for test in tests if kept and is_results(test)]

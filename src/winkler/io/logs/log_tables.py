@@ -14,7 +14,8 @@ from winkler.io.foreign import in_file, reader
 from winkler.io.tables.column import Column
 from winkler.io.tables.given_units import checked_units
 from winkler.io.tables.header import names_columns
-from winkler.io.tables.table import read_table
+from winkler.io.tables.table import HEADER_AGAIN, read_table
+from winkler.io.tables.tests_of_table import parts_of_table
 from winkler.values.errors import InvalidInput
 
 __all__ = [
@@ -35,8 +36,14 @@ __all__ = [
 
 BOUNCE = Column("time of a bounce", ("bounce", "bounces", "bounce time", "impact time", "bounce_time"), "s")
 DISTANCE = Column("distance", ("distance", "sliding distance", "path", "gleitweg"), "m")
-FRICTION = Column("coefficient of friction", ("cof", "mu", "friction coefficient", "coefficient of friction"), "")
-CLOCK = Column("time", ("time", "t", "timestamp", "elapsed time", "test time", "zeit", "temps", "tiempo"), "s")
+FRICTION = Column(
+    "coefficient of friction",
+    ("cof", "mu", "friction coefficient", "coefficient of friction", "traction coefficient", "traction coeff"),
+    "",
+)
+CLOCK = Column(
+    "time", ("time", "t", "timestamp", "elapsed time", "test time", "step time", "zeit", "temps", "tiempo"), "s"
+)
 LOSS = Column("height loss", ("height loss", "wear depth", "wear", "linear wear", "verschleiss"), "m", "um")
 DISPLACEMENT = Column(
     "displacement",
@@ -155,7 +162,7 @@ def read_pin(path: str | os.PathLike[str], *, speed: float = 0.0, units: Mapping
         The file.
     speed : float, optional
         Of sliding [m/s], of a log that has times and no distances.  Where its clock begins again, as with each step of
-        a program, the distance goes on.
+        a program, the distance goes on; steps under headers of their own follow each other.
     units : mapping of str to str, optional
         Of times, where the header states none: ``{"time": "s"}``.
 
@@ -176,11 +183,18 @@ def read_pin(path: str | os.PathLike[str], *, speed: float = 0.0, units: Mapping
     along = DISTANCE if has_places or not speed else CLOCK
     measured = [column for column in (FRICTION, LOSS) if names_columns(path, (along, column))]
     given = checked_units(units or {}) if along is CLOCK else None
-    table = read_table(path, (along, *(measured or (FRICTION,))), units=given)
-    found = {column.word: table.values[:, 1 + place] for place, column in enumerate(measured)}
-    distance, nothing = table.values[:, 0], np.zeros(0)
+    wanted = (along, *(measured or (FRICTION,)))
+    try:
+        tables = [read_table(path, wanted, units=given)]
+    except InvalidInput as error:
+        if along is not CLOCK or HEADER_AGAIN not in str(error):
+            raise
+        tables = [read_table(step, wanted, units=given) for step in parts_of_table(path, (wanted,))]
+    values = np.concatenate([one.values for one in tables])
+    found = {column.word: values[:, 1 + place] for place, column in enumerate(measured)}
+    distance, nothing = values[:, 0], np.zeros(0)
     if along is CLOCK:
         step = np.diff(distance, prepend=0.0)
         distance = speed * np.cumsum(np.where(step < 0.0, distance, step))
-    with in_file(table.path):
+    with in_file(path):
         return PinOnDisc(distance, found.get(FRICTION.word, nothing), found.get(LOSS.word, nothing))

@@ -40,7 +40,7 @@ from winkler.io.segments import directions, segment_fact
 from winkler.io.swapped_columns import is_list, is_reversed, signs
 from winkler.io.tables.given_units import GivenFacts
 from winkler.io.tables.header import SEPARATORS_TRIED, header_lines, names_columns, names_seen
-from winkler.io.tables.several_tests import parts_of_tests
+from winkler.io.tables.several_tests import parts_by_headers, parts_of_tests
 from winkler.io.tables.table import Column, Table, read_table
 from winkler.io.tables.table_cells import cells_of, named
 from winkler.numerics.types import Array
@@ -134,8 +134,8 @@ def read_curve_tables(path: str | os.PathLike[str], given: GivenFacts = NOTHING)
         raise InvalidInput(
             f"{path}: there is no table of a force curve in this text{names_seen(path, (DEPTH, FORCE))}; it needs one "
             f"line that names a {DEPTH.word} ({', '.join(DEPTH.names[:5])} ...) or {POSITION.word} "
-            f"({', '.join(POSITION.names)}) and a {FORCE.word} ({', '.join(FORCE.names[:5])} ...) with units, as in "
-            f"'{DEPTH.example}, {FORCE.example}', and numbers below; or give columns = {{ depth = 1, force = 2 }}."
+            f"({', '.join(POSITION.names[:5])} ...) and a {FORCE.word} ({', '.join(FORCE.names[:5])} ...) with units, "
+            f"as in '{DEPTH.example}, {FORCE.example}', and numbers; or give columns = {{ depth = 1, force = 2 }}."
         )
     further = tuple(
         column for column in (TIME, STIFFNESS, SEGMENT) if names_columns(path, (place, load, column), head=head)
@@ -171,7 +171,9 @@ def read_curve_tables(path: str | os.PathLike[str], given: GivenFacts = NOTHING)
     none = np.zeros(0)
     read_as = dict(zip(("place", "load", *found), table.read_as, strict=True))
     measured = "stiffness" in found and place is DEPTH
-    parts = parts_of_tests(position, force, found.get("time", none), table.lines)
+    time_of_all = found.get("time", none)
+    parts = parts_by_headers(position, time_of_all, table.lines, table.repeats)
+    parts = parts or parts_of_tests(position, force, time_of_all, table.lines)
     _refuse_unparted(path, table, parts, place)
     where = place_in(stated, path)
     results = _results(path, place, head, given) if measured and len(parts) == 1 else None

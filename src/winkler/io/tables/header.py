@@ -18,6 +18,8 @@ from winkler.values.units import scale
 __all__ = [
     "SEPARATORS_TRIED",
     "Header",
+    "bare_columns",
+    "either",
     "header_lines",
     "header_of",
     "names_columns",
@@ -30,6 +32,8 @@ __all__ = [
 ]
 
 SEPARATORS_TRIED = ("\t", ";", ",", None)
+LEAST_TABS = 2
+"""Tabs within a line from which on its names are apart by them, and may hold spaces."""
 CELSIUS, CELSIUS_ZERO = ("degC", "°C", "deg C", "C"), 273.15
 """Units of a temperature in degrees Celsius; of another quantity C is the coulomb."""
 PER_CENT = "%"
@@ -52,13 +56,18 @@ NAME_LETTER = re.compile(r"[^\W\d_eE]")
 
 
 class Header(NamedTuple):
-    """Line counted from 1, separator, cells, and the places and units of the columns asked for."""
+    """Line counted from 1, separator, cells, the places and units of the columns asked for, and what each repeats.
+
+    Instruments write a time or a temperature again before a later group of columns: `twins` are the places of such a
+    column with the same name, whose numbers must be the same.
+    """
 
     line: int
     separator: str | None
     cells: tuple[str, ...]
     places: tuple[int, ...]
     units: tuple[str, ...]
+    twins: tuple[tuple[int, ...], ...] = ()
 
 
 def names_columns(
@@ -86,7 +95,7 @@ def names_columns(
         for line in lines
         if NAME_LETTER.search(line) and _may_name(line.lower(), columns)
     ]
-    rows = [cells_of(text, separator) for text in texts if text for separator in SEPARATORS_TRIED]
+    rows = [cells_of(text, separator) for text in texts if text for separator in _separators(text)]
     return any(all(any(named(cell, column.names)[0] for cell in cells) for column in columns) for cells in rows)
 
 
@@ -104,6 +113,11 @@ def header_lines(path: str | os.PathLike[str], columns: Sequence[Column]) -> lis
 @functools.lru_cache(maxsize=4)  # each kind of table that is tried asks for it
 def _without_numbers(lines: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(line for line in lines if NO_NUMBERS.search(line))
+
+
+def _separators(text: str) -> tuple[str | None, ...]:
+    """Return what may separate the names of a header: no space where tabs do."""
+    return SEPARATORS_TRIED[:-1] if text.strip().count("\t") >= LEAST_TABS else SEPARATORS_TRIED
 
 
 def _may_name(line: str, columns: Sequence[Column]) -> bool:
@@ -128,7 +142,7 @@ def header_of(lines: Sequence[str], columns: Sequence[Column], file: str, given:
         if not NAME_LETTER.search(line) or not _may_name(line.lower(), columns):
             continue
         text = _names_of(line, lines[index + 1 :])
-        for separator in SEPARATORS_TRIED:
+        for separator in _separators(text):
             cells = cells_of(text, separator)
             candidates = [[p for p, cell in enumerate(cells) if named(cell, column.names)[0]] for column in columns]
             if not all(candidates):
@@ -137,23 +151,49 @@ def header_of(lines: Sequence[str], columns: Sequence[Column], file: str, given:
                 _fitting(cells, places, column) if len(places) > 1 else places
                 for column, places in zip(columns, candidates, strict=True)
             ]
-            for column, places in zip(columns, candidates, strict=True):
-                if len(places) > 1:
-                    listed = " and ".join(f"'{cells[place]}' (column {place + 1})" for place in places[:MOST_ALIKE])
-                    listed += f" and {len(places) - MOST_ALIKE} more" if len(places) > MOST_ALIKE else ""
-                    counted = ", ".join(
-                        f"{one.word} = {all_of[0] + 1}" for one, all_of in zip(columns, candidates, strict=True)
-                    )
-                    remedy = "" if given is None else f", or give columns, such as columns = {{ {counted} }}"
-                    raise InvalidInput(
-                        f"{file}, line {index + 1}: {listed} may each be the {column.word}; rename all but one{remedy}."
-                    )
+            twins = tuple(tuple(places) for places in candidates)
+            for column, places in zip(columns, twins, strict=True):
+                if len({cells[place] for place in places}) > 1:
+                    raise either(cells, places, column, twins, columns, f"{file}, line {index + 1}", given)
             units = tuple(
                 named(cells[places[0]], column.names)[1] for column, places in zip(columns, candidates, strict=True)
             )
-            header = Header(index + 1, separator, tuple(cells), tuple(places[0] for places in candidates), units)
+            header = Header(index + 1, separator, tuple(cells), tuple(places[0] for places in twins), units, twins)
             return _with_units(header, lines, columns, file, given)
     raise InvalidInput(f"{file}: {_without_header(lines, columns)}.")
+
+
+def either(
+    cells: Sequence[str],
+    places: Sequence[int],
+    column: Column,
+    all_places: Sequence[Sequence[int]],
+    columns: Sequence[Column],
+    where: str,
+    given: Mapping[str, str] | None,
+) -> InvalidInput:
+    """Return the error that several columns may each be the one asked for.
+
+    Parameters
+    ----------
+    cells : sequence of str
+        The header.
+    places : sequence of int
+        Of the columns that may be meant.
+    column : Column
+        What is asked for.
+    all_places, columns : sequences
+        The places of every column asked for.
+    where : str
+        File and line.
+    given : mapping, optional
+        Units that are given; None where the caller takes no numbers of columns.
+    """
+    listed = " and ".join(f"'{cells[place]}' (column {place + 1})" for place in places[:MOST_ALIKE])
+    listed += f" and {len(places) - MOST_ALIKE} more" if len(places) > MOST_ALIKE else ""
+    counted = ", ".join(f"{one.word} = {all_of[0] + 1}" for one, all_of in zip(columns, all_places, strict=True))
+    remedy = "" if given is None else f", or give columns, such as columns = {{ {counted} }}"
+    return InvalidInput(f"{where}: {listed} may each be the {column.word}; rename all but one{remedy}.")
 
 
 def _names_of(line: str, below: Sequence[str]) -> str:
@@ -316,6 +356,16 @@ def _are_units(cells: Sequence[str]) -> bool:
 
     texts = [cell.strip("[]() ") for cell in cells if cell.strip("[]()- ")]
     return bool(texts) and all(len(text) <= LONGEST_UNIT and known(text) for text in texts)
+
+
+def bare_columns(path: str | os.PathLike[str]) -> int:
+    """Return the number of cells in the first row of numbers of a text or a sheet; zero of other files."""
+    try:
+        lines = table_head(path, "numbers")
+    except InvalidInput:
+        return 0
+    rows = (cells_of(line.strip(), separator) for line in lines for separator in SEPARATORS_TRIED if line.strip())
+    return next((len(row) for row in rows if len(row) > 1 and all(map(like_number, row))), 0)
 
 
 def names_seen(path: str | os.PathLike[str], columns: Sequence[Column]) -> str:

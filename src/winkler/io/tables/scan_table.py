@@ -11,7 +11,7 @@ import numpy as np
 
 from winkler.io.foreign import in_file, reader
 from winkler.io.surfaces.instrument_scan import instrument_scan
-from winkler.io.tables.header import names_columns
+from winkler.io.tables.header import bare_columns, names_columns
 from winkler.io.tables.table import Column, read_table
 from winkler.io.text_file import existing
 from winkler.profiles.rough.line_scan import LineScan
@@ -32,6 +32,8 @@ HEIGHT_COLUMN = Column(
 
 TEXT_ENDINGS = {"", ".csv", ".txt", ".asc", ".dat", ".tsv", ".xy"}
 """Files that are tables, unless two columns without a header; their errors are those of tables."""
+PAIR = 2
+"""Columns of places and heights without names."""
 SPREADSHEETS = {".xls", ".xlsx", ".ods"}
 
 
@@ -113,19 +115,26 @@ def _evenly(path: Path, unit: str, channel: str, length: float) -> LineScan:
 def _no_table(path: Path, reason: InvalidInput) -> LineScan:
     """Return the scan of another file than a table; instruments write texts too: raise why such a text is no table."""
     suffix = path.suffix.lower()
+    if suffix in TEXT_ENDINGS and bare_columns(path) == PAIR:
+        raise InvalidInput(f"{str(reason).rstrip('.')}, or give its unit, such as unit = 'um'.") from None
     try:
         return _measured(path, "", "")
     except InvalidInput as error:
         if suffix in SPREADSHEETS and "does not state the unit" not in str(error):
             raise reason from None
-        if suffix in TEXT_ENDINGS and "does not state the unit" in str(error):
-            raise InvalidInput(f"{str(reason).rstrip('.')}, or give its unit, such as unit = 'um'.") from None
         raise (reason if suffix in TEXT_ENDINGS else error) from None
 
 
 def _measured(path: Path, unit: str, channel: str) -> LineScan:
-    contents = instrument_scan(path, channel)
     places, _, heights = (part.strip() for part in unit.partition(","))
+    if unit and not channel and path.suffix.lower() in TEXT_ENDINGS and bare_columns(path) == PAIR:
+        columns = (PLACE_COLUMN, HEIGHT_COLUMN)
+        stated = dict(zip((one.word for one in columns), (places, heights or places), strict=True))
+        numbers = {one.word: place for place, one in enumerate(columns, start=1)}
+        table = read_table(path, columns, units=stated, numbers=numbers)
+        with in_file(path):
+            return LineScan.measured(*table.values.T)
+    contents = instrument_scan(path, channel)
     if contents.unit and unit:
         raise InvalidInput(f"{path}: the file states its unit, {contents.unit}, and {unit} was given; leave it out.")
     if not (contents.unit or unit):

@@ -1,22 +1,28 @@
 """Tests that follow each other in one table: where each begins.
 
 Within a test the force starts low, passes a peak and ends low.  A new test begins where rows are left blank or the
-header is repeated, where the time falls, or where the position jumps back, if both sides are such tests.
+header is repeated, where the time falls, or where the position jumps back, if both sides are such tests.  Specimens
+that break do not end low: where below each repeated header the time begins again, and the position where it began, each
+header begins a test.
 """
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["parts_of_tests"]
+__all__ = ["parts_by_headers", "parts_of_tests"]
 
 LOW = 0.3
 """Greatest force at both ends of a test, in parts of its peak."""
 LEAST_PEAK = 0.01
 """Least peak of a test, in parts of the greatest force of all."""
 LEAST_POINTS = 10
+SAME_BEGIN = 0.05
+"""Greatest distance of the first positions and times below two headers, in parts of the whole travel and time."""
 LEAST_JUMP, JUMP_TO_STEP = 0.25, 30.0
 """Least jump back between two tests without blank rows or times, in parts of the travel of the first and of the usual
 step."""
@@ -63,6 +69,32 @@ def parts_of_tests(position: Array, force: Array, time: Array, rows: Array) -> l
         else:
             top = max(top, float(tops[place]))
     return [slice(first, last) for first, last in zip(starts, [*starts[1:], position.size], strict=True)]
+
+
+def parts_by_headers(position: Array, time: Array, rows: Array, repeats: Sequence[int]) -> list[slice]:
+    """Return the rows below each header, if time and position begin anew at each; none else.
+
+    Parameters
+    ----------
+    position, time : ndarray, (n,) or (0,)
+        [m] and [s].
+    rows : ndarray, (n,)
+        Numbers of the rows in the file.
+    repeats : sequence of int
+        Lines of repeated headers.
+    """
+    begins = sorted({0, *np.searchsorted(rows, repeats).tolist()})
+    ends = [*begins[1:], position.size]
+    if (
+        len(begins) < 2
+        or not time.size
+        or min(end - begin for begin, end in zip(begins, ends, strict=True)) < LEAST_POINTS
+    ):
+        return []
+    anew = all(
+        float(np.ptp(values[begins])) <= SAME_BEGIN * float(np.ptp(values)) for values in (position, time)
+    ) and all(time[begin] < time[begin - 1] for begin in begins[1:])
+    return [slice(begin, end) for begin, end in zip(begins, ends, strict=True)] if anew else []
 
 
 def _is_test(force: Array, first: int, end: int, top: float, greatest: float) -> bool:

@@ -22,7 +22,16 @@ import numpy as np
 
 from winkler.io.tables.column import Column
 from winkler.io.tables.decimal_commas import DecimalCommas
-from winkler.io.tables.header import header_of, needs_of, placed_header, separator_of, stated_header, zero_of
+from winkler.io.tables.header import (
+    Header,
+    either,
+    header_of,
+    needs_of,
+    placed_header,
+    separator_of,
+    stated_header,
+    zero_of,
+)
 from winkler.io.tables.table_cells import cells_of, like_number, number_in
 from winkler.io.tables.table_lines import table_lines
 from winkler.io.text_file import headed
@@ -32,7 +41,7 @@ from winkler.values.errors import InvalidInput
 from winkler.values.units import scale
 from winkler.values.value import value
 
-__all__ = ["Column", "Table", "read_table"]
+__all__ = ["HEADER_AGAIN", "Column", "Table", "read_table"]
 
 
 PADDED = ("\t", ";")
@@ -46,6 +55,8 @@ END_OF_HEADER = re.compile(r"[A-Za-z*_-]{1,40}")
 """A single word by which some instruments end the header,"""
 MOST_FOOTER = 5
 """Lines of words that may stand behind the last row and a blank line."""
+HEADER_AGAIN = "the header stands again"
+"""Of a table that is several."""
 FIRST_ROWS = 2
 """and the number of rows above which it may stand."""
 
@@ -99,13 +110,26 @@ def _plain_rows(lines: Sequence[str], separator: str | None, count: int, wanted:
     return numbers if numbers.shape[0] == len(lines) and np.all(np.isfinite(numbers)) else None
 
 
-def _is_footer(lines: Sequence[str]) -> bool:
+def _differing(
+    header: Header,
+    columns: Sequence[Column],
+    pair: int,
+    place: int,
+    file: str,
+    given: Mapping[str, str] | None,
+) -> InvalidInput:
+    """Return the error that two columns of one name hold other numbers."""
+    where = f"{file}, line {header.line}"
+    return either(header.cells, (header.places[pair], place), columns[pair], header.twins, columns, where, given)
+
+
+def _is_footer(lines: Sequence[str], separator: str | None) -> bool:
     """Return whether behind a blank line follow a few words and no row, such as the total time of a test."""
     words = [line.strip() for line in lines if line.strip()]
     return (
         not lines[0].strip()
         and len(words) <= MOST_FOOTER
-        and not any(like_number(word) or re.search(r"[\t;,]", word) for word in words)
+        and not any(like_number(word) or (separator or "\t") in word for word in words)
     )
 
 
@@ -160,11 +184,21 @@ def read_table(
     commas = DecimalCommas(file) if separator != "," else None
     above = {line.strip() for line in lines[max(header.line - 2, 0) : header.line] if line.strip()}
     again = above if repeated else frozenset[str]()
+    rows_above = (cells_of(line, separator) for line in above)
+    names = {tuple(row[p] for p in header.places) for row in rows_above if len(row) == len(header.cells)}
     repeats = list[int]()
     cells_read, places, incomplete = array("d"), array("q"), list[int]()
     needed = [number for number, column in enumerate(columns) if column.word not in gaps]
     short, last = 0, next((n for n in range(len(lines) - 1, -1, -1) if lines[n].strip()), 0)
-    plain = _plain_rows(lines[header.line :], separator, len(header.cells), header.places)
+    twins = [(pair, place) for pair, (_, *more) in enumerate(header.twins) for place in more]
+    plain = _plain_rows(
+        lines[header.line :], separator, len(header.cells), (*header.places, *(place for _, place in twins))
+    )
+    if plain is not None and twins:
+        for number, (pair, place) in enumerate(twins, start=len(header.places)):
+            if not np.array_equal(plain[:, pair], plain[:, number]):
+                raise _differing(header, columns, pair, place, file, units)
+        plain = np.ascontiguousarray(plain[:, : len(header.places)])
     if plain is not None:
         cells_read.frombytes(plain.tobytes())
         places.extend(range(header.line + 1, len(lines) + 1))
@@ -180,7 +214,7 @@ def read_table(
             repeats.append(index + 1)
             continue
         if line.strip() in above:
-            raise InvalidInput(f"{file}, line {index + 1}: the header stands again; give each table a file of its own.")
+            raise InvalidInput(f"{file}, line {index + 1}: {HEADER_AGAIN}; give each table a file of its own.")
         cells = cells_of(line, separator)
         while len(cells) > len(header.cells) and not cells[-1]:
             cells.pop()
@@ -192,14 +226,17 @@ def read_table(
             short = len(cells)
             cells += [""] * (len(header.cells) - short)
         if len(cells) != len(header.cells):
-            if _is_footer(lines[index - 1 :]):
+            if _is_footer(lines[index - 1 :], separator):
                 break
             hint = "; if commas mark decimals or group thousands, write 1.5 and 1000" if "," in line else ""
             size = f"the line has {len(cells)} and the header {len(header.cells)} cells"
             second = next((n + 1 for n in range(index, len(lines)) if lines[n].strip() in above), 0)
             if second:
-                hint = f"; the header stands again in line {second}, give each table a file of its own"
+                hint = f"; {HEADER_AGAIN} in line {second}, give each table a file of its own"
             raise InvalidInput(f"{file}, line {index + 1}: {size}{hint}.")
+        for pair, place in twins:
+            if cells[place] != cells[header.places[pair]]:
+                raise _differing(header, columns, pair, place, file, units)
         try:
             if "_" in line:
                 raise ValueError("float() reads 1_000")
@@ -209,6 +246,9 @@ def read_table(
         except ValueError:
             if not any(cells[place] for place in header.places):
                 continue  # only columns that are not asked for go on
+            if repeated and tuple(cells[place] for place in header.places) in names:  # of the second specimen
+                repeats.append(index + 1)
+                continue
             row = [
                 number_in(
                     cells[p] if commas is None else commas.with_point(cells[p], index + 1),

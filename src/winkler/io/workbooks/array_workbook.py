@@ -1,8 +1,10 @@
 """Named columns of numbers in HDF5 and MATLAB files, as the sheets of a workbook.
 
 A group of an HDF5 file, or a structure of a MATLAB file, whose vectors have one length is a sheet; so is a table of
-records, and a frame that pandas has stored.  Where pandas keeps the names of columns as a pickle, only the texts in it
-are read; nothing of it is run.
+records, and a frame that pandas has stored.  Of cell arrays beside each other, one for each quantity, the first cells
+are a sheet, then the second ones, and so on; a cell that is a matrix is one with its columns numbered.
+
+Where pandas keeps the names of columns as a pickle, only the texts in it are read; nothing of it is run.
 """
 
 from __future__ import annotations
@@ -111,12 +113,34 @@ def _sheets(name: str, columns: Mapping[str, Array], refuse: Refuse) -> Iterator
 def _structures(fields: Mapping[str, Any], name: str, depth: int) -> Iterator[tuple[str, dict[str, Array]]]:
     """Yield the vectors of a structure of MATLAB, then those of the structures in it."""
     yield name, {field: vector for field, one in fields.items() if (vector := _vector(one)) is not None}
+    yield from _cells(fields, name)
     for field, one in fields.items():
-        several = one if isinstance(one, list) else [one]
+        several = _several(one) or [one]
         for number, part in enumerate(several, start=1):
             if isinstance(part, Mapping) and depth < DEEPEST:
                 place = f" {number}" if len(several) > 1 else ""
                 yield from _structures(part, f"{name}.{field}{place}" if depth else f"{field}{place}", depth + 1)
+
+
+def _several(item: Any) -> list[Any]:
+    """Return the cells of an array of cells or structures; none of other items."""
+    if isinstance(item, np.ndarray):
+        return list(item.ravel()) if item.dtype == object else []
+    return item if isinstance(item, list) and not all(isinstance(one, int | float) for one in item) else []
+
+
+def _cells(fields: Mapping[str, Any], name: str) -> Iterator[tuple[str, dict[str, Array]]]:
+    """Yield what stands in the cells of each place: a vector of each array of cells, or the columns of a matrix."""
+    arrays = {field: cells for field, one in fields.items() if (cells := _several(one))}
+    for number in range(max(map(len, arrays.values()), default=0)):
+        beside = {field: cells[number] for field, cells in arrays.items() if number < len(cells)}
+        vectors = {field: vector for field, cell in beside.items() if (vector := _vector(cell)) is not None}
+        yield f"{name} {number + 1}", vectors
+        for field, cell in beside.items():
+            matrix = np.asarray(cell) if isinstance(cell, np.ndarray) else np.zeros(0)
+            if matrix.dtype.kind in "iuf" and matrix.ndim == 2 and FEWEST_COLUMNS <= matrix.shape[1] < len(matrix):
+                columns = {f"{field} {place}": one.astype(float) for place, one in enumerate(matrix.T, start=1)}
+                yield f"{field} {number + 1}", columns
 
 
 def _groups(group: Any, refuse: Refuse, depth: int = 0) -> Iterator[tuple[str, dict[str, Array]]]:
@@ -128,8 +152,16 @@ def _groups(group: Any, refuse: Refuse, depth: int = 0) -> Iterator[tuple[str, d
         yield _sheet_name(group), _frame(items, refuse, group.name)
         return
     columns: dict[str, Array] = {}
+    cells: dict[str, list[Array]] = {}
     for name, item in items.items():
-        if isinstance(item, h5py.Group):
+        if isinstance(item, h5py.Dataset) and item.dtype == h5py.ref_dtype:
+            refuse(item.name, 1, item.size)
+            parts = [item.file[one] for one in np.ravel(item[()]).tolist() if one]
+            parts = [one for one in parts if isinstance(one, h5py.Dataset) and one.dtype.kind in "iuf"]
+            for part in parts:
+                refuse(item.name, part.size, 1)
+            cells[name] = [part[()].T for part in parts]  # MATLAB counts along columns
+        elif isinstance(item, h5py.Group):
             if depth < DEEPEST:
                 yield from _groups(item, refuse, depth + 1)
         elif item.dtype.names:
@@ -140,6 +172,7 @@ def _groups(group: Any, refuse: Refuse, depth: int = 0) -> Iterator[tuple[str, d
             if (vector := _vector(item[()])) is not None:
                 columns[_with_unit(name, item.attrs)] = vector
     yield _sheet_name(group), columns
+    yield from _cells(cells, _sheet_name(group))
 
 
 def _fields(records: Array, attributes: Mapping[str, Any]) -> Iterator[tuple[str, Array]]:

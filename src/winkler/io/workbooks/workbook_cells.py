@@ -79,12 +79,25 @@ def _old(path: Path) -> Iterator[WorkbookSheet]:
         )
     with contextlib.closing(_Released(book)):
         for name in book.sheet_names():
-            with limited_memory(path):
+            with limited_memory(path), _without_drawings():
                 sheet = book.sheet_by_name(name)
                 _refuse_wide(path, name, sheet.ncols)
                 rows = [[_cell(cell) for cell in sheet.row_values(row)] for row in range(sheet.nrows)]
                 book.unload_sheet(name)
             yield WorkbookSheet(name, rows)
+
+
+@contextlib.contextmanager
+def _without_drawings() -> Iterator[None]:
+    """Read cells of a sheet and pass over its drawings: xlrd refuses a whole sheet where one of them is damaged."""
+    from xlrd.sheet import Sheet
+
+    read = Sheet.handle_obj
+    Sheet.handle_obj = lambda sheet, data: None
+    try:
+        yield
+    finally:
+        Sheet.handle_obj = read
 
 
 class _Released:

@@ -19,23 +19,23 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.segments import SegmentKind
 from winkler.fitting.nanoindentation.thermal_drift import found_drift
 from winkler.fitting.nanoindentation.zero_point import found_zero_point
-from winkler.io.curves import try_curves
+from winkler.io.curves import BENDING, try_curves
 from winkler.io.foreign import reason_of
 from winkler.io.indenter_file import AREA, read_indenter
 from winkler.io.indenter_file import DEPTH as CONTACT_DEPTH
-from winkler.io.instruments.find import states_curves
+from winkler.io.instruments.find import METHOD, states_curves
 from winkler.io.placed_curves import UnreadCurve
+from winkler.io.tables.column import Column
 from winkler.io.tables.curve_table import DEPTH, FORCE, RESULTS, is_curve_table
 from winkler.io.tables.given_units import LACKS_UNIT
-from winkler.io.tables.header import SEPARATORS_TRIED, header_lines, names_columns
+from winkler.io.tables.header import bare_columns, header_lines, names_columns
 from winkler.io.tables.path_table import LATERAL_COLUMNS
 from winkler.io.tables.relaxation_table import MODULI, SHEAR_STORAGE, read_creep, read_dynamic, read_relaxation
 from winkler.io.tables.scan_table import HEIGHT_COLUMN, PLACE_COLUMN
 from winkler.io.tables.table import read_table
-from winkler.io.tables.table_cells import cells_of
 from winkler.io.tables.table_lines import TablePart, sheets_naming
 from winkler.io.tables.tests_of_table import parts_of_table
-from winkler.io.text_file import existing, head_of
+from winkler.io.text_file import existing
 from winkler.io.workbooks.workbook_cells import is_workbook
 from winkler.loading.loads import Angle, Torque
 from winkler.materials.relaxation_data import CreepData, DynamicData, RelaxationData
@@ -65,9 +65,14 @@ NO_PLACES = (
     "its header names heights and no places; give --lengths '4 mm', the length of the scan, --unit of the heights, and "
     "--channel, the name of another column."
 )
+OWN_NAMES = (
+    "; if a column holds heights at equal steps, give --channel, its name, --lengths '4 mm', of the scan, and --unit."
+)
 NO_UNIT_OF_MAP = "does not state the unit of its heights"
 MOST_OF_TABLE = 24
 """Columns of bare numbers that may be a table and no map."""
+REDUCED = Column("reduced modulus", ("er", "reduced modulus"), "Pa")
+"""In lists of results."""
 OF_MODULI = ("storage and loss", "storage and loss at several temperatures")
 SCAN = (PLACE_COLUMN, HEIGHT_COLUMN)
 TIPS = {".toml"}
@@ -90,6 +95,8 @@ MOST_CURVES_COUNTED, LONGEST_COUNT = 10_000, 2.0
 """Curves of a file that are counted, and time for it [s]."""
 FEWEST_FOR_JUMPS, LEAST_JUMP = 20, 0.5
 """Fewest steps of a position among which a jump is sought, and its least part of the whole travel."""
+UNPRESSED_PARTS = 8
+"""Parts of a way in, in each of which the mean force is below that before, where no contact is pressed."""
 FEWEST_SHARED = 100
 """Files of a list from which on several processes read them; starting them takes a second or two."""
 LISTED_BYTES = 50_000_000
@@ -193,21 +200,12 @@ def _reason(file: Path, last: str, reasons: Sequence[tuple[str, str]]) -> str:
     named = [(what, why.removeprefix(f"{file}: ")) for what, why in reasons]
     if not named and NO_HEADER in last:
         return f"{last.rstrip('.')}; of a force curve {BARE_CURVE}; of moduli {BARE_MODULI}."
-    if not named and NO_UNIT_OF_MAP in last and 2 <= _bare_columns(file) <= MOST_OF_TABLE:
+    if len(named) < 2 and NO_UNIT_OF_MAP in last and 2 <= bare_columns(file) <= MOST_OF_TABLE:
         return f"{last.rstrip('.')}; of a table without names: {BARE_CURVE}; of moduli {BARE_MODULI}."
     if not named or (len(named) == 1 and "does not state" in last):
         return last
     what, why = named[0]
     return f"{file}: read as {what}: {why}"
-
-
-def _bare_columns(file: Path) -> int:
-    """Return the number of cells in the first line of a text; zero of other files."""
-    try:
-        line = head_of(file, "numbers")[0]
-    except (IndexError, InvalidInput):
-        return 0
-    return max(len(cells_of(line, separator)) for separator in SEPARATORS_TRIED)
 
 
 def _as_table_or_curve(file: Path, *, brief: bool) -> Inspection | list[tuple[str, str]]:
@@ -236,8 +234,10 @@ def _as_table_or_curve(file: Path, *, brief: bool) -> Inspection | list[tuple[st
         found = _by_header(file, head, kind, reasons)
         if found is not None:
             return found
-    of_curve = ("force curve", curve.reason)
-    if LACKS_UNIT in curve.reason or (not head and (states_curves(file) or is_workbook(file))):
+    lacks = any(one in curve.reason for one in ((LACKS_UNIT, METHOD, BENDING) if head else (LACKS_UNIT,)))
+    own = "" if is_curve or lacks or reasons or bare_columns(file) < 2 else OWN_NAMES
+    of_curve = ("force curve", curve.reason.rstrip(".") + own if own else curve.reason)
+    if lacks or (not head and (states_curves(file) or is_workbook(file))):
         return [of_curve, *reasons]
     if not head or names_columns(file, SCAN, head=head):  # bare numbers, and scans: the reason is that of surfaces
         return reasons
@@ -323,7 +323,7 @@ def _table_doubts(file: Path, kind: TableKind, content: object) -> Iterator[str]
             "those of plates, no path of a contact."
         )
     if isinstance(content, AreaTable):
-        beside = [one.word for one in (FORCE, *RESULTS) if names_columns(file, (AREA, one))]
+        beside = [one.word for one in (FORCE, *RESULTS, REDUCED) if names_columns(file, (AREA, one))]
         depth = read_table(file, (CONTACT_DEPTH, AREA)).read_as[0]
         if beside:
             yield (
@@ -375,6 +375,7 @@ def _curve(file: Path, *, brief: bool) -> Inspection:
     if not np.any(first.direction != 0.0):
         doubts.append(f"The tip is held over all {first.position.size} points: there is no approach and no retraction.")
     doubts += _jumps(first)
+    doubts += _unpressed(first)
     if unread:
         doubts.append(f"{unread} of {count} curves cannot be read; the first: {reason}")
     found = Inspection(
@@ -390,6 +391,20 @@ def _jumps(curve: ForceCurve) -> Iterator[str]:
         yield (
             f"position: a jump of {with_unit(float(steps.max()), 'm', 3)} behind row {int(np.argmax(steps)) + 1}, more "
             "than half of the travel; a way back may be written from its end, or two tests stand below each other."
+        )
+
+
+def _unpressed(curve: ForceCurve) -> Iterator[str]:
+    """Yield that the force falls over the whole way in: nothing is touched, or the sign of the force is wrong."""
+    inwards = curve.force[curve.direction > 0.0]
+    part = inwards.size // UNPRESSED_PARTS
+    if part < FEWEST_FOR_JUMPS:
+        return
+    means = inwards[: part * UNPRESSED_PARTS].reshape(UNPRESSED_PARTS, part).mean(axis=1)
+    if np.all(np.diff(means) < 0.0):
+        yield (
+            f"The force falls over the whole way in, by {with_unit(float(means[0] - means[-1]), 'N', 3)}: the tip does "
+            "not touch, or the sign of its deflection is wrong; a fit of it means nothing."
         )
 
 
