@@ -110,8 +110,8 @@ def follow(
                 _, before, here = reached
                 here = here.then(_reach(row, here.state, before, goal))
         except (OutsideValidity, NotConverged) as error:
-            reason = str(error).removeprefix(f"{row.owner}: ")
-            raise type(error)(f"{row.owner}: at index {index} of the path {reason}") from None
+            reason = str(error).removeprefix(f"{row.owner}: ").removesuffix(".")
+            raise type(error)(f"{row.owner}: at index {index} of the path {reason}.") from None
         yield here
         reached = index, goal, here
 
