@@ -56,20 +56,34 @@ class Kernel(Generic[P, R]):
     ----------
     function : callable
         Takes arrays and numbers, writes into the arrays it is given or returns numbers.
+    instead : dict, optional
+        Functions that it, and what it calls, call instead of those of these names.
+    lists : tuple of str, optional
+        Names of what asks for memory among the functions that are called where some are called `instead` of others; who
+        refers to an array is counted within these only.
     """
 
-    def __init__(self, function: Callable[P, R]) -> None:
+    def __init__(
+        self,
+        function: Callable[P, R],
+        instead: dict[str, Callable[..., Any]] | None = None,
+        lists: tuple[str, ...] = (),
+    ) -> None:
         functools.update_wrapper(self, function)
-        self.function = function
+        self.function, self.instead, self.lists = function, instead or {}, lists
 
     @property
     def _called(self) -> dict[str, Kernel[Any, Any]]:
         """Name -> every kernel that this one calls, and every function of winkler that is plain arithmetic."""
         source = self.function
         assert isinstance(source, types.FunctionType)
-        referenced = ((name, source.__globals__.get(name)) for name in source.__code__.co_names)
+        instead = self.instead
+        referenced = ((name, instead.get(name, source.__globals__.get(name))) for name in source.__code__.co_names)
         kernels = {name: _kernel_of(content) for name, content in referenced}
-        return {name: kernel for name, kernel in kernels.items() if kernel is not None}
+        found = {name: kernel for name, kernel in kernels.items() if kernel is not None}
+        if not instead:
+            return found
+        return {name: Kernel(each.function, instead, self.lists) for name, each in found.items()}
 
     @functools.cached_property
     def content(self) -> str:
@@ -101,7 +115,12 @@ class Kernel(Generic[P, R]):
         numba = _numba()
         if numba is None:
             # compiled arithmetic does not complain either: what comes of it is never chosen
-            return np.errstate(divide="ignore", invalid="ignore", over="ignore")(self.function)
+            plain, source = self.function, self.function
+            if self.instead:
+                assert isinstance(source, types.FunctionType)
+                called = {name: kernel.machine for name, kernel in self._called.items()}
+                plain = types.FunctionType(source.__code__, {**source.__globals__, **called}, source.__name__)
+            return np.errstate(divide="ignore", invalid="ignore", over="ignore")(plain)
         source = self.function
         assert isinstance(source, types.FunctionType)
         cached = with_kernels(Path(source.__code__.co_filename))
@@ -110,7 +129,8 @@ class Kernel(Generic[P, R]):
         referenced: dict[str, Any] = dict(source.__globals__)
         code, cells = source.__code__, source.__closure__ or ()
         for name, kernel in self._called.items():
-            referenced[name] = kernel.machine if counted else kernel.uncounted
+            plain = self.instead and name not in self.lists
+            referenced[name] = kernel.uncounted if plain or not counted else kernel.machine
         # numba's cache goes by the code of a function and by what its closure holds
         code = code.replace(co_freevars=(*code.co_freevars, "content"))
         cells = (*cells, types.CellType(self.content if counted else f"{self.content} uncounted"))
