@@ -59,8 +59,8 @@ class Kernel(Generic[P, R]):
     instead : dict, optional
         Functions that it, and what it calls, call instead of those of these names.
     lists : tuple of str, optional
-        Names of what asks for memory among the functions that are called where some are called `instead` of others; who
-        refers to an array is counted within these only.
+        Names of what asks for memory, or returns arrays, among the functions that are called where some are called
+        `instead` of others: who refers to an array is counted within these only.
     """
 
     def __init__(

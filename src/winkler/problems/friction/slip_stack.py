@@ -416,17 +416,19 @@ def stored(stack: Stack, table: Any, top: int, dragged: float) -> float:
 def _stiffness(stack: Stack, table: Any, top: int, depth: float, before: float) -> float:
     """Return how the shear force after a step from a depth grows with the shift of that step, over the ratio [N/m]."""
     common, total, ring = max(min(before, depth), 0.0), 0.0, top
+    within(stack, table, top)
     while ring >= 0 and not (stack.stuck[ring] and stack.stop[ring] <= common):
-        start, stop = stack.start[ring], stack.stop[ring]
-        if stack.side[ring] == 0:
+        start, stop, inner = stack.start[ring], stack.stop[ring], stack.inner[ring]
+        if stack.side[ring] == 0 and stop <= common:
+            total += stack.zeroth[ring] - (stack.zeroth[inner] if inner >= 0 else 0.0)
+        elif stack.side[ring] == 0:
             if start < common:
-                total += moments(table, start, min(stop, common))[0]
-            if stop > common:
-                # springs that came within the step take part in what was left of it
-                sums = moments(table, max(start, common), stop)
-                total += (sums[0] * (depth - stop) + sums[1]) / (depth - before)
-        ring = stack.inner[ring]
-    return total + within(stack, table, ring)[0]
+                total += moments(table, start, common)[0]
+            # springs that came within the step take part in what was left of it
+            sums = moments(table, max(start, common), stop)
+            total += (sums[0] * (depth - stop) + sums[1]) / (depth - before)
+        ring = inner
+    return total + (stack.zeroth[ring] if ring >= 0 else 0.0)
 
 
 def slip_step(cells: SlipCells, state: SlipState, goal: SlipGoal) -> Reached[SlipState]:

@@ -99,6 +99,10 @@ class PressedRow(Row[SlipGoal, State]):
         return middle_goal(self, start, goal)
 
 
+SlipEnd = tuple[int, float, float, float, float, float]
+"""The numbers of a `SlipState`, work and loss."""
+
+
 class PathPoint(NamedTuple):
     """A point of a path: shift [m], shear force [N], energies [J], and what the springs remember."""
 
@@ -201,18 +205,18 @@ class SlipRow(PressedRow[SlipState]):
 
     def reach(self, state: SlipState, start: SlipGoal, goal: SlipGoal) -> Reached[SlipState]:
         """Return as `Row.reach`; pieces of trial steps are forgotten."""
-        return (
-            slip_reach(self, self.cells, state, start, goal) if self._table is None else self._fast(state, start, goal)
-        )
+        fast = self._table is not None
+        numbers = self._fast(state, start, goal) if fast else slip_reach(self, state, start, goal)
+        return Reached(SlipState(*numbers[:4]), *numbers[4:])
 
-    def _fast(self, state: SlipState, start: SlipGoal, goal: SlipGoal) -> Reached[SlipState]:
+    def _fast(self, state: SlipState, start: SlipGoal, goal: SlipGoal) -> SlipEnd:
         """Return as `Row.reach`, by the kernel."""
         pieces, used = self.pieces, self.pieces.columns.used[0]
         while True:
             assert self._table is not None
             try:
                 cells = self.cells._replace(table=self._table)
-                return SLIP_REACH(cells, cells, state, start, goal)
+                return SLIP_REACH(cells, state, start, goal)
             except MemoryError:
                 pieces.columns = arrays_of(pieces.columns)
                 self.cells = self.cells._replace(stack=pieces.columns)
@@ -220,7 +224,7 @@ class SlipRow(PressedRow[SlipState]):
                 self._table = panel_table(self._curves, int(self._table.missing[0]) + 1)
             except (OutsideValidity, NotConverged):
                 pieces.columns.used[0] = used
-                return slip_reach(self, self.cells, state, start, goal)  # says why
+                return slip_reach(self, state, start, goal)  # says why
             pieces.columns.used[0] = used
 
     def apart(self, one: Reached[SlipState], two: Reached[SlipState]) -> float:
@@ -237,21 +241,21 @@ class SlipRow(PressedRow[SlipState]):
 
     def shear_force(self, memory: SlipMemory) -> float:
         """Return F_x [N]."""
-        return self.ratio * self.sums.shear(memory)
+        return float(self.ratio * self.sums.shear(memory))
 
     def stored(self, memory: SlipMemory) -> float:
         """Return the energy stored in the springs' displacement along the surface [J]."""
-        return self.ratio * self.sums.stored(memory)
+        return float(self.ratio * self.sums.stored(memory))
 
 
-def slip_reach(row: Any, cells: SlipCells, state: SlipState, start: SlipGoal, goal: SlipGoal) -> Reached[SlipState]:
-    """Return as `Row.reach`, summed up; pieces of trial steps are forgotten."""
+def slip_reach(row: Any, state: SlipState, start: SlipGoal, goal: SlipGoal) -> SlipEnd:
+    """Return the state and the costs of `Row.reach`, summed up; pieces of trial steps are forgotten."""
+    cells = cells_of(row)
     stack, mark = cells.stack, cells.stack.used[0]
     end = halved(row, state, start, goal)
-    top, dragged, depth, shift = end.state
-    top = settled(stack, top, mark)
+    top = settled(stack, end.state.top, mark)
     within(stack, cells.table, top)
-    return Reached(SlipState(top, dragged, depth, shift), end.work, end.lost)
+    return top, end.state.dragged, end.state.depth, end.state.shift, end.work, end.lost
 
 
 def slip_middle(cells: SlipCells, state: SlipState, start: SlipGoal, goal: SlipGoal) -> tuple[bool, SlipGoal]:
@@ -270,6 +274,12 @@ def middle_goal(row: Any, start: SlipGoal, goal: SlipGoal) -> SlipGoal:
     return SlipGoal(depth, force, start.along + (goal.along - start.along) * share)
 
 
+def cells_of(row: Any) -> SlipCells:
+    """Return the cells of a `SlipRow`."""
+    cells: SlipCells = row.cells
+    return cells
+
+
 def force_of(row: Any, depth: float) -> float:
     """Return as `PressedRow.force_at`."""
     return float(row.force_at(depth))
@@ -277,6 +287,10 @@ def force_of(row: Any, depth: float) -> float:
 
 def _slip_force(cells: SlipCells, depth: float) -> float:
     return panel_at(cells.table, depth)[1]
+
+
+def _themselves(cells: SlipCells) -> SlipCells:
+    return cells
 
 
 def _slip_order(cells: SlipCells) -> int:
@@ -320,10 +334,11 @@ SLIP_REACH = Kernel(
         "moments": panel_moments,
         "normal_at": panel_at,
         "force_of": _slip_force,
+        "cells_of": _themselves,
         "make_room": _no_room,
         "refuse": _refused,
         "missed": _missed,
     },
-    ("halved",),
+    ("halved", "cells_of"),
 )
 """From one point of a path to the next, as `halved` on `SlipCells` over arrays and panels."""
