@@ -129,8 +129,8 @@ class SlipMemory:
         """Return the pieces in the order of their gaps, displaced by so much beyond the stack as a whole."""
         stack, ring, rows = self.pieces.columns, self.top, []
         while ring >= 0:
-            ends = (float(column[ring]) for column in (stack.start, stack.stop, stack.left, stack.right))
-            rows.append(SpringPiece(*ends, int(stack.side[ring])))
+            start, stop, left, right = (float(column[ring]) for column in stack[:4])
+            rows.append(SpringPiece(start, stop, left, right, int(stack.side[ring])))
             ring = int(stack.inner[ring])
         return rows[::-1]
 

@@ -143,13 +143,12 @@ class SlipCells(NamedTuple):
 
 def empty_stack() -> Stack:
     """Return a stack without pieces."""
-    columns: list[list[Any]] = [[] for _ in Stack._fields[:-1]]
-    return Stack(*columns, [0])
+    return Stack._make([*([] for _ in Stack._fields[:-1]), [0]])
 
 
 def new_piece(stack: Stack, inner: int, start: float, stop: float, left: float, right: float, side: int) -> int:
     """Put a piece on another one, and return its number."""
-    piece = stack.used[0]
+    piece: int = stack.used[0]
     if piece == len(stack.start):
         make_room(stack)
     stack.start[piece], stack.stop[piece], stack.left[piece], stack.right[piece] = start, stop, left, right
@@ -403,7 +402,8 @@ def within(stack: Stack, table: Any, top: int) -> tuple[Any, Any, Any]:
 def shear(stack: Stack, table: Any, top: int, dragged: float) -> float:
     """Return the integral of u_t dK [N]: the shear force over the ratio."""
     zeroth, first, _ = within(stack, table, top)
-    return first + (stack.axis[top] + dragged) * zeroth if top >= 0 else 0.0
+    total: float = first + (stack.axis[top] + dragged) * zeroth if top >= 0 else 0.0
+    return total
 
 
 def stored(stack: Stack, table: Any, top: int, dragged: float) -> float:
@@ -414,9 +414,11 @@ def stored(stack: Stack, table: Any, top: int, dragged: float) -> float:
 
 
 def _stiffness(stack: Stack, table: Any, top: int, depth: float, before: float) -> float:
-    """Return how the shear force after a step from a depth grows with the shift of that step, over the ratio [N/m]."""
+    """Return how the shear force after a step from a depth grows with the shift of that step, over the ratio [N/m].
+
+    The stack has been summed up (`within`).
+    """
     common, total, ring = max(min(before, depth), 0.0), 0.0, top
-    within(stack, table, top)
     while ring >= 0 and not (stack.stuck[ring] and stack.stop[ring] <= common):
         start, stop, inner = stack.start[ring], stack.stop[ring], stack.inner[ring]
         if stack.side[ring] == 0 and stop <= common:
@@ -493,7 +495,8 @@ def _displaced(stack: Stack, ring: int, state: SlipState, gap: float) -> float:
     while stack.outer[ring] >= 0 and stack.stop[ring] <= gap:
         ring = stack.outer[ring]
     share = (gap - stack.start[ring]) / (stack.stop[ring] - stack.start[ring])
-    return stack.left[ring] * (1.0 - share) + stack.right[ring] * share + state.dragged
+    u: float = stack.left[ring] * (1.0 - share) + stack.right[ring] * share + state.dragged
+    return u
 
 
 def slip_apart(cells: SlipCells, one: Reached[SlipState], two: Reached[SlipState]) -> float:

@@ -138,7 +138,8 @@ def _curve(table: PanelTable, depth: float) -> int:
 
 def _panel(table: PanelTable, curve: int, depth: float) -> int:
     """Return the place in `edges` of the panel in which a depth lies."""
-    low, high = table.first[curve] + curve, table.first[curve + 1] + curve
+    low: int = table.first[curve] + curve
+    high: int = table.first[curve + 1] + curve
     while high - low > 1:
         middle = (low + high) // 2
         low, high = (middle, high) if table.edges[middle] <= depth else (low, middle)
@@ -147,7 +148,8 @@ def _panel(table: PanelTable, curve: int, depth: float) -> int:
 
 def _place(table: PanelTable, place: int, depth: float) -> float:
     """Return where a depth lies in a panel, from -1 to 1."""
-    low, high = table.edges[place], table.edges[place + 1]
+    low: float = table.edges[place]
+    high: float = table.edges[place + 1]
     return min(max((2.0 * depth - low - high) / (high - low), -1.0), 1.0)
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from winkler.foundation.bed import Bed
 from winkler.loading.loads import Depth, Shift
 from winkler.loading.path import Path
-from winkler.numerics.jit import Kernel
+from winkler.numerics.jit import Instead
 from winkler.problems.friction.slip_memory import SlipMemory, SlipPieces
 from winkler.problems.friction.slip_stack import (
     FORCE_TOLERANCE,
@@ -45,8 +45,8 @@ MANY = 20
 """Points of a path from which on its turning points take less time than its steps."""
 UNTOUCHED_DEPTH = 1e-9
 """Depth [m] to which the normal curve is made for bodies that never touch, and never evaluated."""
-LONG, LONG_BENT = 2000, 200
-"""Points of a path from which on it takes less time by a kernel: where no step is bent, and where some are."""
+LONG, LONG_BENT = 5000, 1000
+"""Points of a path from which on a kernel saves more than it takes to load: where no step is bent, where some are."""
 ROOM = 4096
 """Pieces for which a kernel has room at first."""
 WHOLE = {"side", "inner", "outer", "count", "stuck", "known"}
@@ -311,21 +311,15 @@ def _missed(target: float, short: float) -> None:
 
 def arrays_of(stack: Stack) -> Stack:
     """Return a stack as arrays, with room for more."""
-    used = stack.used[0]
-    columns = [
-        np.concatenate(
-            [
-                np.array(column[:used], dtype=int if name in WHOLE else float),
-                np.zeros(used + ROOM, int if name in WHOLE else float),
-            ]
-        )
-        for name, column in zip(Stack._fields[:-1], stack[:-1], strict=True)
-    ]
-    return Stack(*columns, np.array([used]))
+    used, columns = stack.used[0], []
+    for name, column in zip(Stack._fields[:-1], stack[:-1], strict=True):
+        longer = np.zeros(2 * used + ROOM, dtype=int if name in WHOLE else float)
+        longer[:used] = column[:used]
+        columns.append(longer)
+    return Stack._make([*columns, np.array([used])])
 
 
-SLIP_REACH = Kernel(
-    slip_reach,
+SLIP_REACH = Instead(
     {
         "step_of": slip_step,
         "middle_of": slip_middle,
@@ -340,5 +334,5 @@ SLIP_REACH = Kernel(
         "missed": _missed,
     },
     ("halved", "cells_of"),
-)
+).kernel(slip_reach)
 """From one point of a path to the next, as `halved` on `SlipCells` over arrays and panels."""
