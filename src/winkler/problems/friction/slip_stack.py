@@ -410,7 +410,8 @@ def stored(stack: Stack, table: Any, top: int, dragged: float) -> float:
     """Return half the integral of u_t^2 dK [J]: the stored energy over the ratio."""
     zeroth, first, second = within(stack, table, top)
     middle = stack.axis[top] + dragged if top >= 0 else 0.0
-    return 0.5 * (second + middle * (2.0 * first + middle * zeroth))
+    energy: float = 0.5 * (second + middle * (2.0 * first + middle * zeroth))
+    return energy
 
 
 def _stiffness(stack: Stack, table: Any, top: int, depth: float, before: float) -> float:
