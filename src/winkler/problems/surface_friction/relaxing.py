@@ -74,11 +74,13 @@ def course_of(owner: str, medium: Any) -> tuple[MappedMedium, RelaxationSeries]:
     bodies = [getattr(medium, name, None) for name in ("first", "second")]
     if not any(isinstance(body, ViscoelasticSolid) for body in bodies):
         return medium.elastic, series
-    if not any(isinstance(body, Rigid) for body in bodies) and creep_ratio(*bodies) is None:
+    alone = any(isinstance(body, Rigid) for body in bodies)
+    # the surface of a body that keeps its volume relaxes along itself as it does across
+    if not (alone or creep_ratio(*bodies) is not None or all(body.poisson == 0.5 for body in bodies)):
         raise InvalidInput(
             f"{owner}: the bodies relax each by a function of its own, so that the surface relaxes otherwise along "
             "than across itself and no single function of time stands for both; give bodies that relax in proportion, "
-            "or one of them rigid."
+            "one of them rigid, or both with the Poisson's ratio 0.5."
         )
     first, second = (elastic_with(body, GLASSY) for body in bodies)
     return HalfSpace(first, second), series.scaled(1.0 / series.glassy)
