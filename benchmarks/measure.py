@@ -242,7 +242,7 @@ def maps() -> str:
         for count in SIDES:
             saved = Path(folder) / f"{count}.npy"
             np.save(saved, bench_map_scale.heights(count))
-            for periodic in (True, False) if count < 2048 else (True,):
+            for periodic in (True, False):
                 for code, (module, _) in bench_map_scale.CODES.items():
                     if importlib.util.find_spec(module) and (code == "winkler" or count <= 512):
                         found = bench_map_scale.measured(code, saved, periodic)

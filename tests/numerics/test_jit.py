@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from winkler.numerics import jit
-from winkler.numerics.jit import Kernel, compiled
+from winkler.numerics.jit import Instead, Kernel, compiled
 
 
 @compiled
@@ -54,6 +54,23 @@ def test_what_it_calls_stands_within_it():
     assert twice(0.3) == pytest.approx(long.function(0.3, 1.0) + long.function(1.0, 0.3), rel=1e-12)
     (code,) = twice.machine.inspect_llvm().values()
     assert not [line for line in code.splitlines() if "call " in line and "4long" in line]
+
+
+@compiled
+def cube(x: float) -> float:
+    return x * x * x
+
+
+@pytest.mark.parametrize("missing", [False, True])
+def test_what_it_calls_may_be_another_function(missing, monkeypatch):
+    if missing:
+        monkeypatch.setattr(jit, "_numba", lambda: None)
+    instead = Instead({"square": cube})
+    cubes = instead.kernel(squares.function)
+    assert cubes(np.array([1.0, 2.0])) == 9.0
+    assert squares.function(np.array([1.0, 2.0])) == 5.0
+    assert instead.kernel(squares.function) is cubes
+    assert cubes.content != squares.content
 
 
 TABLE = np.array([1.0, 10.0])

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.problems.row import MOST_HALVINGS, MOST_STEPS, Reached, follow, over
+from winkler.problems.row import MOST_HALVINGS, MOST_STEPS, Reached, Row, follow, over
 
 MEDIUM = wk.HalfSpace(wk.Elastic(2.0, 0.3))
 BED = wk.Foundation(wk.Paraboloid(1.0), MEDIUM)
@@ -29,7 +29,7 @@ class Single(NamedTuple):
     u: np.ndarray
 
 
-class GhostRow:
+class GhostRow(Row):
     """Springs under a ball at fixed places, under a normal force and a shift: F = 4/3 E* d^(3/2), g = x^2."""
 
     owner, order = "Ghost", 2
@@ -113,7 +113,7 @@ def test_a_path_is_carried_on_where_it_was_left():
         np.testing.assert_array_equal(one.state.u, two.state.u)
 
 
-class CurvedRow:
+class CurvedRow(Row):
     """One number that follows its goal, and loses the integral of a power of it, each step by the trapezoidal rule."""
 
     owner = "Curve"

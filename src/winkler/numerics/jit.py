@@ -31,7 +31,7 @@ import numpy as np
 from winkler.numerics.cache_folders import with_kernels
 from winkler.numerics.kernel_cache import KernelCache
 
-__all__ = ["Kernel", "compiled"]
+__all__ = ["Instead", "Kernel", "compiled"]
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -49,6 +49,26 @@ GLOBAL_KINDS = int, float, np.ndarray
 LOG = logging.getLogger(__name__)
 
 
+class Instead:
+    """Functions that kernels call instead of those of their modules.
+
+    Parameters
+    ----------
+    functions : dict
+        By the names of those.
+    lists : tuple of str, optional
+        Names of what asks for memory, or returns arrays: who refers to an array is counted within these only.
+    """
+
+    def __init__(self, functions: dict[str, Callable[..., Any]], lists: tuple[str, ...] = ()) -> None:
+        self.functions, self.lists = functions, lists
+        self._kernels: dict[Callable[..., Any], Kernel[Any, Any]] = {}
+
+    def kernel(self, function: Callable[P, R]) -> Kernel[P, R]:
+        """Return the kernel of a function that calls them."""
+        return self._kernels.setdefault(function, Kernel(function, self))
+
+
 class Kernel(Generic[P, R]):
     """A function over arrays that is compiled at its first call.
 
@@ -56,20 +76,23 @@ class Kernel(Generic[P, R]):
     ----------
     function : callable
         Takes arrays and numbers, writes into the arrays it is given or returns numbers.
+    instead : Instead, optional
     """
 
-    def __init__(self, function: Callable[P, R]) -> None:
+    def __init__(self, function: Callable[P, R], instead: Instead | None = None) -> None:
         functools.update_wrapper(self, function)
-        self.function = function
+        self.function, self.instead = function, instead
 
     @property
     def _called(self) -> dict[str, Kernel[Any, Any]]:
         """Name -> every kernel that this one calls, and every function of winkler that is plain arithmetic."""
         source = self.function
         assert isinstance(source, types.FunctionType)
-        referenced = ((name, source.__globals__.get(name)) for name in source.__code__.co_names)
-        kernels = {name: _kernel_of(content) for name, content in referenced}
-        return {name: kernel for name, kernel in kernels.items() if kernel is not None}
+        names, instead = source.__code__.co_names, self.instead
+        own = {} if instead is None else instead.functions
+        kernels = {name: _kernel_of(own.get(name, source.__globals__.get(name))) for name in names}
+        found = {name: kernel for name, kernel in kernels.items() if kernel is not None}
+        return found if instead is None else {name: instead.kernel(each.function) for name, each in found.items()}
 
     @functools.cached_property
     def content(self) -> str:
@@ -101,7 +124,12 @@ class Kernel(Generic[P, R]):
         numba = _numba()
         if numba is None:
             # compiled arithmetic does not complain either: what comes of it is never chosen
-            return np.errstate(divide="ignore", invalid="ignore", over="ignore")(self.function)
+            written = self.function
+            if self.instead is not None:
+                assert isinstance(written, types.FunctionType)
+                called = {name: kernel.machine for name, kernel in self._called.items()}
+                written = types.FunctionType(written.__code__, {**written.__globals__, **called}, written.__name__)
+            return np.errstate(divide="ignore", invalid="ignore", over="ignore")(written)
         source = self.function
         assert isinstance(source, types.FunctionType)
         cached = with_kernels(Path(source.__code__.co_filename))
@@ -110,7 +138,8 @@ class Kernel(Generic[P, R]):
         referenced: dict[str, Any] = dict(source.__globals__)
         code, cells = source.__code__, source.__closure__ or ()
         for name, kernel in self._called.items():
-            referenced[name] = kernel.machine if counted else kernel.uncounted
+            plain = self.instead is not None and name not in self.instead.lists
+            referenced[name] = kernel.uncounted if plain or not counted else kernel.machine
         # numba's cache goes by the code of a function and by what its closure holds
         code = code.replace(co_freevars=(*code.co_freevars, "content"))
         cells = (*cells, types.CellType(self.content if counted else f"{self.content} uncounted"))

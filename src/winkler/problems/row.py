@@ -8,11 +8,11 @@ a step that is not straight is halved until both halves bring the row to where t
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Generic, NamedTuple, Protocol, TypeVar
+from typing import Any, Generic, NamedTuple, Protocol, TypeVar
 
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["CURVED_STEP_TOLERANCE", "Reached", "Row", "follow", "over"]
+__all__ = ["CURVED_STEP_TOLERANCE", "Reached", "Row", "follow", "halved", "over"]
 
 CURVED_STEP_TOLERANCE = 3e-5
 """Curved steps are halved until cells and loss end elsewhere by less than this part of the greatest on the path."""
@@ -40,7 +40,7 @@ class Reached(NamedTuple, Generic[State]):
 
     def then(self, step: Reached[State]) -> Reached[State]:
         """Return where a further step ends, and what both have cost."""
-        return Reached(step.state, self.work + step.work, self.lost + step.lost)
+        return then(self, step)
 
 
 class Row(Protocol[Goal, State]):
@@ -81,6 +81,16 @@ class Row(Protocol[Goal, State]):
         """Return by how much two ends of steps from one state to one goal differ, over what is allowed."""
         return 0.0
 
+    def reach(self, state: State, start: Goal, goal: Goal) -> Reached[State]:
+        """Return the row at the next point of a path, and work and loss since the last one.
+
+        Raises
+        ------
+        OutsideValidity, NotConverged
+            As `step`; if a step does not settle.
+        """
+        return halved(self, state, start, goal)
+
 
 def follow(
     row: Row[Goal, State], goals: Iterable[Goal], reached: tuple[int, Goal, Reached[State]] | None = None
@@ -108,10 +118,10 @@ def follow(
                 here = row.begin(goal)
             else:
                 _, before, here = reached
-                here = here.then(_reach(row, here.state, before, goal))
+                here = here.then(row.reach(here.state, before, goal))
         except (OutsideValidity, NotConverged) as error:
-            reason = str(error).removeprefix(f"{row.owner}: ")
-            raise type(error)(f"{row.owner}: at index {index} of the path {reason}") from None
+            reason = str(error).removeprefix(f"{row.owner}: ").removesuffix(".")
+            raise type(error)(f"{row.owner}: at index {index} of the path {reason}.") from None
         yield here
         reached = index, goal, here
 
@@ -121,37 +131,73 @@ def over(error: float, allowed: float) -> float:
     return 0.0 if error <= allowed else error / allowed if allowed > 0.0 else float("inf")
 
 
-def _reach(row: Row[Goal, State], state: State, start: Goal, goal: Goal) -> Reached[State]:
-    """Return the row at the next point of a path, and work and loss since the last one."""
-    if row.halfway(state, start, goal) is None:
-        return row.step(state, goal)
+def halved(row: Any, state: Any, start: Any, goal: Any) -> Reached[Any]:
+    """Return the row at the next point of a path, and work and loss since the last one.
+
+    It runs as it is, and for rows whose steps are functions over arrays as one kernel.
+    """
+    bends, middle = middle_of(row, state, start, goal)
     done = Reached(state, 0.0, 0.0)
-    ahead: list[tuple[Goal, int, Reached[State] | None]] = [(goal, 0, None)]
+    ahead = [(goal, 0, False, done)]
     settled, error, tried = 0, 0.0, 0
-    while ahead:
+    whole = half = rest = done
+    while len(ahead) > 0:
         tried += 1
-        goal, halvings, whole = ahead.pop()
-        middle = row.halfway(done.state, start, goal)
-        if middle is not None and error * 8.0 ** (settled - halvings) > 1.0:
+        goal, halvings, known, whole = ahead.pop()
+        bends, middle = middle_of(row, done.state, start, goal)
+        if bends and error * 8.0 ** (settled - halvings) > 1.0:
             # steps of its length have just been too long: the error of half of one is a quarter at most
-            ahead += [(goal, halvings + 1, None), (middle, halvings + 1, None)]
+            ahead.append((goal, halvings + 1, False, done))
+            ahead.append((middle, halvings + 1, False, done))
             continue
-        if whole is None:
-            whole = row.step(done.state, goal)
-        if middle is not None:
-            half = row.step(done.state, middle)
-            two = half.then(row.step(half.state, goal))
-            error, settled = row.apart(whole, two), halvings
+        for part in range(1 if known else 0, 3 if bends else 1):
+            rest = step_of(row, half.state if part == 2 else done.state, middle if part == 1 else goal)
+            if part == 0:
+                whole = rest
+            elif part == 1:
+                half = rest
+        if bends:
+            two = then(half, rest)
+            error, settled = apart_of(row, whole, two), halvings
             if error > 1.0:
                 if halvings == MOST_HALVINGS or tried > MOST_STEPS:
                     raise NotConverged("the step does not settle, however often it is halved; give points in between.")
-                ahead += [(goal, halvings + 1, None), (middle, halvings + 1, half)]
+                ahead.append((goal, halvings + 1, False, done))
+                ahead.append((middle, halvings + 1, True, half))
                 continue
-            if row.order is not None:
+            order = order_of(row)
+            if order > 0:
                 # the errors of both fall with that power: the two extrapolate to a step without end of halves
-                rest = 2.0**row.order - 1.0
-                gain = (two.work - whole.work) / rest, (two.lost - whole.lost) / rest
-                two = Reached(two.state, two.work + gain[0], max(two.lost + gain[1], 0.0))
+                more = 2.0**order - 1.0
+                gain, loss = (two.work - whole.work) / more, (two.lost - whole.lost) / more
+                two = Reached(two.state, two.work + gain, max(two.lost + loss, 0.0))
             whole = two
-        done, start = done.then(whole), goal
+        done, start = then(done, whole), goal
     return done
+
+
+def then(here: Reached[Any], step: Reached[Any]) -> Reached[Any]:
+    """Return where a further step ends, and what both have cost."""
+    return Reached(step.state, here.work + step.work, here.lost + step.lost)
+
+
+def step_of(row: Any, state: Any, goal: Any) -> Reached[Any]:
+    """Return as `Row.step`."""
+    reached: Reached[Any] = row.step(state, goal)
+    return reached
+
+
+def middle_of(row: Any, state: Any, start: Any, goal: Any) -> tuple[bool, Any]:
+    """Return whether a step may have to be halved, and its middle."""
+    middle = row.halfway(state, start, goal)
+    return (False, goal) if middle is None else (True, middle)
+
+
+def apart_of(row: Any, one: Reached[Any], two: Reached[Any]) -> float:
+    """Return as `Row.apart`."""
+    return float(row.apart(one, two))
+
+
+def order_of(row: Any) -> int:
+    """Return as `Row.order`; zero for none."""
+    return row.order or 0

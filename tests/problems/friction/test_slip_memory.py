@@ -50,9 +50,6 @@ class EachSpring:
         left = np.where(inside, stop - self.gap, 0.0)
         return inside.astype(float), left, left**2
 
-    def within(self, outermost):
-        return np.zeros((3, *self.gap.shape))  # springs that stick as a whole lose nothing
-
 
 def follow(points, bound, sums=None):
     """Return the memories and the losses along a path of (depth, shift), pressed to the first point."""
@@ -315,14 +312,9 @@ def test_a_long_memory_is_that_of_springs_one_by_one():
 
 def test_states_share_what_they_remember():
     _, (memories, _) = shrinking(400)
-    rings = set()
-    for memory in memories:
-        ring = memory.outermost
-        while ring is not None:
-            rings.add(id(ring))
-            ring = ring.inner
+    assert {id(memory.pieces) for memory in memories} == {id(memories[0].pieces)}
     assert sum(memory.size for memory in memories) > 50_000
-    assert len(rings) <= 4 * len(memories)
+    assert memories[0].pieces.columns.used[0] <= 4 * len(memories)
 
 
 def test_a_long_memory_is_pickled_compared_and_summed():

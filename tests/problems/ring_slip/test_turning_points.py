@@ -52,11 +52,12 @@ def marched(solution):
     here = solution.problem
     row = SlipRow(here.bed, MU, solution.states[0].mindlin_ratio, here.path, here.normal)
     reached = list(follow(row, row.goals))
+    memories = [row.memory(each.state) for each in reached]
     numbers = [
-        (each.state.shift, row.shear_force(each.state.memory), each.work, row.stored(each.state.memory), each.lost)
-        for each in reached
+        (each.state.shift, row.shear_force(memory), each.work, row.stored(memory), each.lost)
+        for each, memory in zip(reached, memories, strict=True)
     ]
-    return np.array(numbers).T, [each.state.memory for each in reached]
+    return np.array(numbers).T, memories
 
 
 def compared(solution):
@@ -114,13 +115,9 @@ def test_energies_are_those_of_springs_one_by_one(swing):
 def test_what_is_kept_grows_with_the_turning_points(swing):
     kept = []
     for count in (200, 400):
-        rings = set()
-        for state in problem(BALL, wk.Shift, swings(count)[swing]).solve().states:
-            ring = state.memory.outermost
-            while ring is not None:
-                rings.add(id(ring))
-                ring = ring.inner
-        kept.append(len(rings))
+        memories = [state.memory for state in problem(BALL, wk.Shift, swings(count)[swing]).solve().states]
+        assert {id(memory.pieces) for memory in memories} == {id(memories[0].pieces)}
+        kept.append(memories[0].pieces.columns.used[0])
     assert kept[1] <= min(2.2 * kept[0], 2 * 400 + 1)
 
 

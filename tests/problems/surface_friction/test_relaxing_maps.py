@@ -97,6 +97,36 @@ def test_fast_and_slow_paths_are_those_of_the_glassy_and_the_relaxed_bodies(dura
         np.testing.assert_allclose(mine, its, rtol=0.0, atol=2e-5 * np.max(np.abs(its)), err_msg=name)
 
 
+def test_an_elastic_and_a_relaxing_body_that_keep_their_volume_relax_as_one():
+    """A spring in series with a standard solid is a standard solid: G g/(G+g), and T (G+g)/(G_r+g)."""
+    other = 0.3
+    pair = wk.ViscoelasticHalfSpace(solid(0.5), elastic(other, 0.5))
+    time = np.array([0.0, 0.2, 1.0, 30.0])
+    path = wk.Path(time, wk.Depth(DEPTH), wk.Shift(SHIFT))
+    held = wk.SurfaceTangential(map_of(), pair, wk.Coulomb(MU), path).solve()
+    glassy, relaxed = (4.0 * shear * other / (shear + other) for shear in (GLASS, RELAXED))
+    fall = relaxed + (glassy - relaxed) * np.exp(-time / TIME * (RELAXED + other) / (GLASS + other))
+    once = wk.SurfaceTangential(
+        map_of(), wk.HalfSpace(elastic(GLASS, 0.5), elastic(other, 0.5)), wk.Coulomb(MU),
+        wk.Path([0.0], wk.Depth(DEPTH), wk.Shift(SHIFT)),
+    ).solve()  # fmt: skip
+    assert once.force[0] == pytest.approx(4.0 / 3.0 * glassy * DEPTH**1.5, rel=3e-3)
+    np.testing.assert_allclose(held.force, fall / glassy * once.force[0], rtol=2e-6)
+    np.testing.assert_allclose(held.shear_force[:, 0], fall / glassy * once.shear_force[0, 0], rtol=1e-5)
+
+
+@pytest.mark.slow
+def test_two_bodies_that_keep_their_volume_are_springs_that_relax_by_functions_of_their_own():
+    """Up to what Poisson's ratio does: the slip of a ball is not straight along its shear force."""
+    pair = wk.ViscoelasticHalfSpace(solid(0.5), wk.StandardSolid(0.4, 0.3, 0.2 * TIME, poisson=0.5))
+    path = cycle(40)
+    row = wk.Tangential(wk.Foundation(BALL, pair), wk.Coulomb(MU), path, count=1000).solve()
+    found = wk.SurfaceTangential(map_of(65), pair, wk.Coulomb(MU), path).solve()
+    most = row.force.max()
+    np.testing.assert_allclose(found.force, row.force, rtol=0.0, atol=5e-4 * most)
+    np.testing.assert_allclose(found.shear_force[:, 0], row.shear_force, rtol=0.0, atol=0.03 * MU * most)
+
+
 def cycle(steps: int) -> wk.Path:
     """Return a path on which a ball is pressed, pushed there and back, and nearly lifted."""
     time = np.linspace(0.0, 2.0, 2 * steps + 1)

@@ -206,7 +206,7 @@ SHARP, GENTLE = (wk.LinearSlipWeakening(STATIC, KINETIC, part * FAR) for part in
         (
             SHARP,
             wk.Shift(FAR * np.append(np.linspace(0.2, 0.7, 8), np.linspace(0.72, 0.8, 17))),
-            r"at index \d+ of the path, the slip runs away: friction falls faster than the bodies unload",
+            r"at index \d+ of the path the slip runs away: friction falls faster than the bodies unload",
         ),
         (SHARP, wk.Shift(FAR * np.array([0.0, 0.4, 0.8])), r"a jump may pass unseen; take about \d+ times as many"),
         (

@@ -17,8 +17,9 @@ from winkler.loading.path import Path
 from winkler.numerics.springs.slip_history import follow_line, follow_plane
 from winkler.numerics.springs.slip_plane import march_plane
 from winkler.numerics.types import Array
+from winkler.problems.friction.slip_stack import SlipGoal, refuse
 from winkler.problems.friction.spring_states import SpringLaw, SpringState
-from winkler.problems.friction.tangential_march import PressedRow, SlipGoal, refuse_shear
+from winkler.problems.friction.tangential_march import PressedRow
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.row import Reached, follow, over
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
@@ -170,7 +171,7 @@ class SingleSprings(PressedRow[SpringPlaces]):
         return np.where(pressed > 0.0, borne / (density * self.springs.mindlin_ratio), 0.0)
 
     def _refuse(self, along: Array, bound: Array) -> None:
-        refuse_shear(float(np.linalg.norm(along)), self.hold * float(self.stiffness @ bound))
+        refuse(float(np.linalg.norm(along)), self.hold * float(self.stiffness @ bound))
 
     def _found(self, state: SpringPlaces, own: Array, target: Array, bounds: Array) -> Array:
         """Return the shift in the plane that gives a force, by Broyden's method from the stiffness of stuck springs."""

@@ -11,8 +11,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from winkler.numerics.types import Array
-from winkler.problems.friction.slip_memory import SlipMemory, SlipRing
-from winkler.problems.friction.straight_step import SpringPiece
+from winkler.problems.friction.slip_memory import SlipMemory, SlipPieces
+from winkler.problems.friction.slip_stack import new_piece
 from winkler.problems.normal.force_curve import GAUSS_POINTS, GAUSS_WEIGHTS, NormalCurve
 from winkler.problems.ring_slip.steady_path import Moved, Plays, chunks
 from winkler.problems.ring_slip.torsion_pieces import TurnHistory
@@ -88,26 +88,28 @@ def turned_memories(depth: float, beta: float, history: TurnHistory) -> Iterator
     history : TurnHistory
     """
     motions, fronts, branches = history.motion.tolist(), history.front.tolist(), history.branches
-    kept: dict[int, SlipRing | None] = {}  # of the turns that are remembered, and of the point before
+    pieces = SlipPieces()
+    stack = pieces.columns
+    kept: dict[int, int] = {}  # of the turns that are remembered, and of the point before
 
-    def until(turn: int, front: float) -> SlipRing | None:
+    def until(turn: int, front: float) -> int:
         """Return the pieces from the axis to a front within which nothing has slid after a turn; -1 is none."""
         if turn < 0:
-            return SlipRing(None, SpringPiece(0.0, front, 0.0, 0.0, 0)) if front > 0.0 else None
+            return new_piece(stack, -1, 0.0, front, 0.0, 0.0, 0) if front > 0.0 else -1
         return beyond(kept[turn], turn, front, 0)
 
-    def beyond(within: SlipRing | None, turn: int, stop: float, slides: int) -> SlipRing | None:
+    def beyond(within: int, turn: int, stop: float, slides: int) -> int:
         """Return pieces with another one, from the front of a turn on, which slid then."""
         start = fronts[turn]
         if not stop > start:
             return within
         bound, motion = branches.directions[turn] * beta, motions[turn]
         ends = bound * (depth - start) - motion, bound * (depth - stop) - motion
-        return SlipRing(within, SpringPiece(start, stop, *ends, slides))
+        return new_piece(stack, within, start, stop, *ends, slides)
 
     for point, (motion, head) in enumerate(zip(motions, branches.heads, strict=True)):
         while kept and next(reversed(kept)) > head:
             kept.popitem()
         kept[point] = until(head, fronts[point])
         outermost = beyond(kept[point], point, depth, int(branches.directions[point]))
-        yield SlipMemory(depth, motion, outermost)
+        yield SlipMemory(depth, motion, pieces, outermost)

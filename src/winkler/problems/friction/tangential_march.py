@@ -15,39 +15,46 @@ import numpy as np
 from winkler.foundation.bed import Bed
 from winkler.loading.loads import Depth, Shift
 from winkler.loading.path import Path
-from winkler.problems.friction.slip_memory import SlipMemory
-from winkler.problems.friction.slip_sums import SlipSums
+from winkler.numerics.jit import Instead
+from winkler.problems.friction.slip_memory import SlipMemory, SlipPieces
+from winkler.problems.friction.slip_stack import (
+    FORCE_TOLERANCE,
+    LEAST_DEPTH,
+    SLIDING_TOLERANCE,
+    SlipCells,
+    SlipGoal,
+    SlipState,
+    Stack,
+    move,
+    settled,
+    slip_apart,
+    slip_step,
+    within,
+)
+from winkler.problems.friction.slip_sums import PanelTable, SlipSums, panel_at, panel_moments, panel_table
 from winkler.problems.friction.steady_gaps import GapPlays, turned_memories
-from winkler.problems.friction.straight_step import LEAST_DEPTH
 from winkler.problems.normal.force_curve import NormalCurves
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.ring_slip.steady_path import steady_history
-from winkler.problems.row import CURVED_STEP_TOLERANCE, Reached, Row, follow, over
+from winkler.problems.row import CURVED_STEP_TOLERANCE, Reached, Row, follow, halved
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["PressedRow", "SlipGoal", "SlipRow", "SlipState", "refuse_shear"]
+__all__ = ["PressedRow", "SlipRow"]
 
 MANY = 20
 """Points of a path from which on its turning points take less time than its steps."""
 UNTOUCHED_DEPTH = 1e-9
 """Depth [m] to which the normal curve is made for bodies that never touch, and never evaluated."""
-SLIDING_TOLERANCE = 1e-12
-"""A shear force beyond what friction bears by no more than this part of it is that of sliding."""
-FORCE_TOLERANCE = 4e-15
-"""A shear force is met to this part of what friction bears."""
-MOST_NEWTON_STEPS = 200
-"""Steps of Newton's method, halving where that leads astray."""
-
+LONG, LONG_BENT = 5000, 1000
+"""Points of a path from which on a kernel saves more than it takes to load: where no step is bent, where some are."""
+ROOM = 4096
+"""Pieces for which a kernel has room at first."""
+WHOLE = {"side", "inner", "outer", "count", "stuck", "known"}
+"""Columns of a stack that hold whole numbers."""
+NEVER_MET = SlipState(-1, 0.0, 0.0, 0.0)
+"""Springs of bodies that have not met."""
 
 State = TypeVar("State")
-
-
-class SlipGoal(NamedTuple):
-    """What is prescribed at a moment: d [m] with F_N [N], and U [m] or F_x [N], in the plane ``(2,)``."""
-
-    depth: float
-    force: float
-    along: Any
 
 
 class PressedRow(Row[SlipGoal, State]):
@@ -87,29 +94,13 @@ class PressedRow(Row[SlipGoal, State]):
 
     def halfway(self, state: State, start: SlipGoal, goal: SlipGoal) -> SlipGoal | None:
         """Return what is prescribed at the middle of the depths."""
-        steady = start.depth == goal.depth
-        if self._unbent or self._straight(steady, np.all(start.along == goal.along)):
+        if self._unbent or self._straight(start.depth == goal.depth, np.all(start.along == goal.along)):
             return None
-        depth, force, share = 0.5 * (start.depth + goal.depth), start.force, 0.5
-        if not (self.pressed or steady):
-            force = self.force_at(depth)
-            share = min(max((force - start.force) / (goal.force - start.force), 0.0), 1.0)
-        return SlipGoal(depth, force, start.along + (goal.along - start.along) * share)
+        return middle_goal(self, start, goal)
 
 
-def refuse_shear(shear: float, most: float) -> None:
-    """Refuse a shear force [N] where friction bears less [N]."""
-    raise OutsideValidity(
-        f"a shear force of {shear:.6g} N is prescribed where friction bears {most:.6g} N at most, and the bodies "
-        "would slide away; give a smaller one, or a Shift."
-    )
-
-
-class SlipState(NamedTuple):
-    """What the springs remember, and the shift [m]."""
-
-    memory: SlipMemory
-    shift: float
+SlipEnd = tuple[int, float, float, float, float, float]
+"""The numbers of a `SlipState`, work and loss."""
 
 
 class PathPoint(NamedTuple):
@@ -151,6 +142,13 @@ class SlipRow(PressedRow[SlipState]):
         self.sums = SlipSums(self._curves, self._curves.many(depths) if deepest > 0.0 and depths.size >= MANY else None)
         stiffness, _, _ = self.sums.at(deepest)
         self._allow(ratio * stiffness, self.beta * deepest if deepest > 0.0 else 0.0)
+        self.pieces = SlipPieces()
+        numbers = self.beta, ratio, coefficient, self.driven, self.pressed, self.bends, *self.allowed, 2
+        self.cells = SlipCells(self.pieces.sums_of(self.sums), self.sums, *numbers)
+        self._table: PanelTable | None = None
+        if len(self.goals) >= (LONG if self._unbent else LONG_BENT):
+            self._table, self.pieces.columns = panel_table(self._curves, 1), arrays_of(self.pieces.columns)
+            self.cells = self.cells._replace(stack=self.pieces.columns)
 
     def points(self) -> Iterator[PathPoint]:
         """Yield the springs at every point of the path, many of them under a steady depth all at once.
@@ -161,15 +159,21 @@ class SlipRow(PressedRow[SlipState]):
             As `step`.
         """
         goals, depth = self.goals, self.goals[0].depth
-        reached = None
+        done, reached = 0, None
         steady = len(goals) >= MANY and all(goal.depth == depth for goal in goals)
         if steady and depth >= LEAST_DEPTH and 0.0 < self.beta < math.inf:
-            for index, point in enumerate(self._turned(depth)):
+            for point in self._turned(depth):
                 yield point
-                reached = index, goals[index], Reached(SlipState(point.memory, point.shift), point.work, point.lost)
+                done += 1
+            if 0 < done < len(goals):
+                self.pieces, (shift, *_, work, _, lost, memory) = point.memory.pieces, point
+                self.cells = self.cells._replace(stack=self.pieces.sums_of(self.sums))
+                state = SlipState(memory.top, memory.dragged, memory.depth, shift)
+                reached = done - 1, goals[done - 1], Reached(state, work, lost)
         # what friction does not bear is refused, at its step
-        for (memory, shift), work, lost in follow(self, goals[reached[0] + 1 if reached else 0 :], reached):
-            yield PathPoint(shift, self.shear_force(memory), work, self.stored(memory), lost, memory)
+        for state, work, lost in follow(self, goals[done:], reached):
+            memory = self.memory(state)
+            yield PathPoint(state.shift, self.shear_force(memory), work, self.stored(memory), lost, memory)
 
     def _turned(self, depth: float) -> Iterator[PathPoint]:
         """Yield the points of a path under a steady depth, as far as friction bears what is prescribed."""
@@ -191,69 +195,144 @@ class SlipRow(PressedRow[SlipState]):
 
     def begin(self, goal: SlipGoal) -> Reached[SlipState]:
         """Return the springs pressed straight down, and moved after."""
-        memory = SlipMemory.fresh().moved(goal.depth, 0.0, self.beta).memory
-        return self.step(SlipState(memory, 0.0), goal)
+        cells = self.cells
+        top, dragged, depth, _, _ = move(cells.stack, None, self.beta, NEVER_MET, goal.depth, 0.0, False)
+        return self.step(SlipState(top, dragged, depth, 0.0), goal)
 
     def step(self, state: SlipState, goal: SlipGoal) -> Reached[SlipState]:
         """Return the springs after a step that is straight in depth and shift, to a shift or to a shear force."""
-        change = goal.along - state.shift if self.driven else self._change(state.memory, goal.depth, goal.along)
-        memory, lost, work = state.memory.moved(goal.depth, change, self.beta, self.sums)
-        shift = goal.along if self.driven else state.shift + change
-        return Reached(SlipState(memory, shift), self.ratio * work, max(self.ratio * lost, 0.0))
+        return slip_step(self.cells, state, goal)
+
+    def reach(self, state: SlipState, start: SlipGoal, goal: SlipGoal) -> Reached[SlipState]:
+        """Return as `Row.reach`; pieces of trial steps are forgotten."""
+        fast = self._table is not None
+        numbers = self._fast(state, start, goal) if fast else slip_reach(self, state, start, goal)
+        return Reached(SlipState(*numbers[:4]), *numbers[4:])
+
+    def _fast(self, state: SlipState, start: SlipGoal, goal: SlipGoal) -> SlipEnd:
+        """Return as `Row.reach`, by the kernel."""
+        pieces, used = self.pieces, self.pieces.columns.used[0]
+        while True:
+            assert self._table is not None
+            try:
+                cells = self.cells._replace(table=self._table)
+                return SLIP_REACH(cells, state, start, goal)
+            except MemoryError:
+                pieces.columns = arrays_of(pieces.columns)
+                self.cells = self.cells._replace(stack=pieces.columns)
+            except LookupError:
+                self._table = panel_table(self._curves, int(self._table.missing[0]) + 1)
+            except (OutsideValidity, NotConverged):
+                pieces.columns.used[0] = used
+                return slip_reach(self, state, start, goal)  # says why
+            pieces.columns.used[0] = used
+
+    def apart(self, one: Reached[SlipState], two: Reached[SlipState]) -> float:
+        """Return as `slip_apart`."""
+        return slip_apart(self.cells, one, two)
 
     def force_at(self, depth: float) -> float:
         """Return as `PressedRow.force_at`."""
         return self.sums.at(depth)[1]
 
-    def apart(self, one: Reached[SlipState], two: Reached[SlipState]) -> float:
-        """Return by how much displacements and energies differ, over a small part of those on the path."""
-        (here, shift), (there, other) = one.state, two.state
-        near, cheap = self.allowed
-        # springs that all slide in the end forget how they came there, what it has cost does not
-        return max(over(max(here.apart(there), abs(shift - other)), near), over(abs(one.lost - two.lost), cheap))
+    def memory(self, state: SlipState) -> SlipMemory:
+        """Return what the springs remember."""
+        return SlipMemory(state.depth, state.dragged, self.pieces, state.top)
 
     def shear_force(self, memory: SlipMemory) -> float:
         """Return F_x [N]."""
-        return self.ratio * self.sums.shear(memory)
+        return float(self.ratio * self.sums.shear(memory))
 
     def stored(self, memory: SlipMemory) -> float:
         """Return the energy stored in the springs' displacement along the surface [J]."""
-        return self.ratio * self.sums.stored(memory)
+        return float(self.ratio * self.sums.stored(memory))
 
-    def _change(self, memory: SlipMemory, depth: float, target: float) -> float:
-        """Return the shift that brings a shear force about; the smallest if all slides."""
-        force = self.sums.at(depth)[1] if depth > 0.0 else 0.0
-        most = self.coefficient * force if force > 0.0 else 0.0
-        if abs(target) > most * (1.0 + SLIDING_TOLERANCE):
-            refuse_shear(abs(target), most)
-        if depth <= 0.0:
-            return 0.0
-        change, slope, short = 0.0, 0.0, 0.0
 
-        def look(at: float) -> tuple[float, float]:
-            after = memory.moved(depth, at, self.beta).memory
-            return target - self.ratio * self.sums.shear(after), self.ratio * self.sums.stiffness(after, memory.depth)
+def slip_reach(row: Any, state: SlipState, start: SlipGoal, goal: SlipGoal) -> SlipEnd:
+    """Return the state and the costs of `Row.reach`, summed up; pieces of trial steps are forgotten."""
+    cells = cells_of(row)
+    stack, mark = cells.stack, cells.stack.used[0]
+    end = halved(row, state, start, goal)
+    top = settled(stack, end.state.top, mark)
+    within(stack, cells.table, top)
+    return top, end.state.dragged, end.state.depth, end.state.shift, end.work, end.lost
 
-        short, slope = look(0.0)
-        if depth == memory.depth:  # what slid before sticks when it turns: at first no step is too long
-            slope = self.ratio * self.sums.at(depth)[0]
-        if math.isinf(self.beta):
-            return short / slope
-        if abs(target) >= most * (1.0 - FORCE_TOLERANCE):
-            return math.copysign(self._until_all_slide(memory, depth, math.copysign(1.0, target)), target)
-        # no spring is displaced by more than its bound
-        end = 2.0 * self.beta * (max(depth, abs(depth - memory.depth)) + max(memory.depth, 0.0))
-        low, high = -end, end
-        for _ in range(MOST_NEWTON_STEPS):
-            if abs(short) <= FORCE_TOLERANCE * most or high - low <= FORCE_TOLERANCE * end:
-                return change
-            low, high = (change, high) if short > 0.0 else (low, change)
-            following = change + short / slope if slope > 0.0 else math.inf
-            change = following if low < following < high else 0.5 * (low + high)
-            short, slope = look(change)
-        raise NotConverged(f"a shear force of {target:.6g} N is missed by {abs(short):.3g} N; give more points.")
 
-    def _until_all_slide(self, memory: SlipMemory, depth: float, side: float) -> float:
-        """Return how far the bodies move until every spring slides to a side [m]."""
-        # what a spring lacks to its bound falls with its gap: the one on the axis is the last, or those that come
-        return max(self.beta * depth - side * memory.on_axis, self.beta * (depth - memory.depth), 0.0)
+def slip_middle(cells: SlipCells, state: SlipState, start: SlipGoal, goal: SlipGoal) -> tuple[bool, SlipGoal]:
+    """Return as `winkler.problems.row.middle_of`, of springs that no shear force bends."""
+    if start.depth == goal.depth or (cells.driven and (cells.pressed or start.along == goal.along)):
+        return False, goal
+    return True, middle_goal(cells, start, goal)
+
+
+def middle_goal(row: Any, start: SlipGoal, goal: SlipGoal) -> SlipGoal:
+    """Return what is prescribed at the middle of the depths."""
+    depth, force, share = 0.5 * (start.depth + goal.depth), start.force, 0.5
+    if not (row.pressed or start.depth == goal.depth):
+        force = force_of(row, depth)
+        share = min(max((force - start.force) / (goal.force - start.force), 0.0), 1.0)
+    return SlipGoal(depth, force, start.along + (goal.along - start.along) * share)
+
+
+def cells_of(row: Any) -> SlipCells:
+    """Return the cells of a `SlipRow`."""
+    cells: SlipCells = row.cells
+    return cells
+
+
+def force_of(row: Any, depth: float) -> float:
+    """Return as `PressedRow.force_at`."""
+    return float(row.force_at(depth))
+
+
+def _slip_force(cells: SlipCells, depth: float) -> float:
+    return panel_at(cells.table, depth)[1]
+
+
+def _themselves(cells: SlipCells) -> SlipCells:
+    return cells
+
+
+def _slip_order(cells: SlipCells) -> int:
+    return cells.order
+
+
+def _no_room(stack: Stack) -> None:
+    raise MemoryError("a longer stack is needed")
+
+
+def _refused(force: float, most: float) -> None:
+    raise OutsideValidity("friction does not bear it")
+
+
+def _missed(target: float, short: float) -> None:
+    raise NotConverged("the force is not met")
+
+
+def arrays_of(stack: Stack) -> Stack:
+    """Return a stack as arrays, with room for more."""
+    used, columns = stack.used[0], []
+    for name, column in zip(Stack._fields[:-1], stack[:-1], strict=True):
+        longer = np.zeros(2 * used + ROOM, dtype=int if name in WHOLE else float)
+        longer[:used] = column[:used]
+        columns.append(longer)
+    return Stack._make([*columns, np.array([used])])
+
+
+SLIP_REACH = Instead(
+    {
+        "step_of": slip_step,
+        "middle_of": slip_middle,
+        "apart_of": slip_apart,
+        "order_of": _slip_order,
+        "moments": panel_moments,
+        "normal_at": panel_at,
+        "force_of": _slip_force,
+        "cells_of": _themselves,
+        "make_room": _no_room,
+        "refuse": _refused,
+        "missed": _missed,
+    },
+    ("halved", "cells_of"),
+).kernel(slip_reach)
+"""From one point of a path to the next, as `halved` on `SlipCells` over arrays and panels."""

@@ -97,7 +97,7 @@ def shift_of_memory(sums: SlipSums, memory: SlipMemory, modulus: float) -> float
     modulus : float
         E* [Pa].
     """
-    return -sums.within(memory.outermost)[1] / modulus
+    return -sums.within(memory)[1] / modulus
 
 
 def work_and_shift(

@@ -33,7 +33,16 @@ from winkler.problems.normal.overlap import rises
 from winkler.problems.normal.solve_contact import at_depth, at_end, flat_radius
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["NormalCurve", "NormalCurves", "deepest", "normal_curve", "rough_depth"]
+__all__ = [
+    "GAUSS_POINTS",
+    "GAUSS_WEIGHTS",
+    "SHALLOWER",
+    "NormalCurve",
+    "NormalCurves",
+    "deepest",
+    "normal_curve",
+    "rough_depth",
+]
 
 DEPTH_MARGIN = 1e-3
 """How far beyond the greatest depth the curve is computed, for the trial steps of the march."""
@@ -161,10 +170,13 @@ class NormalCurves:
         """Return the curve that was made for a depth [m]."""
         if depth * SHALLOWER >= self.depth or depth <= 0.0:
             return self._curves[0]
-        level = int(math.log(self.depth / depth) / math.log(SHALLOWER))
-        if level not in self._curves:
-            self._curves[level] = normal_curve(self.bed, self.depth * SHALLOWER**-level)
-        return self._curves[level]
+        return self.level(int(math.log(self.depth / depth) / math.log(SHALLOWER)))
+
+    def level(self, number: int) -> NormalCurve:
+        """Return the curve up to the greatest depth (0), or to 1/32 of that (1), 1/1024 (2) and so on."""
+        if number not in self._curves:
+            self._curves[number] = normal_curve(self.bed, self.depth * SHALLOWER**-number)
+        return self._curves[number]
 
     def greatest(self) -> NormalCurve:
         """Return the curve up to the greatest depth, known to rounding of its greatest values."""

@@ -27,7 +27,7 @@ from winkler.problems.ring_slip.torsion_march import (
     unrounded,
 )
 from winkler.problems.ring_slip.torsion_pieces import TwistMemory, fresh, pieces_of
-from winkler.problems.row import CURVED_STEP_TOLERANCE, Reached, follow, over
+from winkler.problems.row import CURVED_STEP_TOLERANCE, Reached, Row, follow, over
 
 __all__ = ["ANGLE_TOLERANCE", "RingGoal", "RingMemory", "RingPoint", "RingRow", "ring_points"]
 
@@ -69,7 +69,7 @@ class RingMemory(NamedTuple):
     nested: bool
 
 
-class RingRow:
+class RingRow(Row[RingGoal, RingMemory]):
     """The springs of a contact whose rings slide; energies are over 4 G_t of a twist, and half of that of a push.
 
     Parameters

@@ -1,4 +1,4 @@
-r"""A height map that is pressed and sheared step by step: what it remembers, and one step of it.
+r"""A height map as a row of pixels: what it remembers, and one step of it.
 
 Each step first presses the map, then finds its tractions (`winkler.numerics.surfaces.sheared_surface`).  The memory is
 what the step before ended with: pressures and tractions, and with them the displacement of the surfaces; of bodies that
@@ -10,6 +10,7 @@ are dissimilar tractions sink the surface, and pressures draw it along; both are
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -25,6 +26,7 @@ from winkler.numerics.surfaces.surface_grid import SurfaceGrid
 from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
 from winkler.problems.rough.compliance import compliance_of
+from winkler.problems.row import Reached, Row
 from winkler.problems.surface_friction.borne import refuse_beyond
 from winkler.problems.surface_friction.by_turns import by_turns, press_from
 from winkler.problems.surface_friction.relaxing import SurfaceMemory
@@ -32,17 +34,70 @@ from winkler.problems.surface_friction.state import SurfaceShearState
 from winkler.problems.surface_friction.weakening import loss_of, shear_weakened
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["SurfaceMarch"]
+__all__ = ["MapGoal", "MapPlaces", "MapRow"]
 
 NEARBY_LOAD = 0.25
 """A load that differs by more than this part of it from the one before is begun on coarse grids: as fast."""
 
 
-class SurfaceMarch:
-    """A map on its path.
+class MapGoal(NamedTuple):
+    """What is prescribed at a point of the path.
+
+    `drive` is a depth [m] or a sum of p / E*; where it is not positive the bodies are apart.  `motions` (3,) are shifts
+    in pixels and a twist [rad], or sums of tractions over E*, of the torque with places in pixels.
+    """
+
+    time: float
+    drive: ByDepth | ByLoad
+    motions: Array
+
+
+class MapPlaces(NamedTuple):
+    """What a map remembers.
+
+    Parameters
+    ----------
+    time : float
+        t [s]; not a number before the path begins.
+    place : ndarray, (3,)
+        Shifts in pixels, and twist [rad].
+    drive : float
+        Depth [m] or load over E* that pressed it; zero while the bodies are apart.
+    pressed : PressedSurface
+        Pressures over the E* of the step.
+    traction, slip : ndarray, (2, nx, ny)
+        Over the E* of the step, and in pixels.
+    slip_path, rubbed : ndarray, (nx, ny)
+        [m], and what friction has lost per area, in pixels times E*.
+    slipping : ndarray of bool, (nx, ny)
+    misfit : float
+        As of `ShearedSurface`.
+    memory : SurfaceMemory
+    stored, bulk_loss : float
+        Energy of the tractions, and what the bodies have lost inside, in pixels cubed times E*.
+    """
+
+    time: float
+    place: Array
+    drive: float
+    pressed: PressedSurface
+    traction: Array
+    slip: Array
+    slip_path: Array
+    rubbed: Array
+    slipping: Array
+    misfit: float
+    memory: SurfaceMemory
+    stored: float = 0.0
+    bulk_loss: float = 0.0
+
+
+class MapRow(Row[MapGoal, MapPlaces]):
+    """A map under a path; the points of the path are its steps.
 
     Pressures and tractions are over the E* of the step, lengths and displacements in pixels along x.  Of bodies that
-    relax the E* of a step is `scale` times that of the elastic ones; forces are in pixels times the latter.
+    relax the E* of a step is `scale` times that of the elastic ones; forces are in pixels times the latter.  Losses
+    are in J; the work is no number.
 
     Parameters
     ----------
@@ -60,6 +115,8 @@ class SurfaceMarch:
         As of `shear`.
     """
 
+    owner = "SurfaceTangential"
+
     def __init__(
         self,
         rough: Topography,
@@ -71,7 +128,7 @@ class SurfaceMarch:
     ):
         self.gaps, self.pixel, self.periodic, self.modulus = rough.gaps, rough.pixel, rough.periodic, medium.modulus
         self.compliance, self.law, self.tolerance = compliance_of(medium).in_units_of(self.pixel[0]), law, tolerance
-        self.layers = layers_of(medium)
+        self.layers, self.course, self.by_force = layers_of(medium), course, by_force
         self.coupled = self.compliance.coupling != 0.0  # pressures draw the surface along
         nx, ny = self.gaps.shape
         self.shape, self.aspect = (nx, ny), (1.0, self.pixel[1] / self.pixel[0])
@@ -80,24 +137,19 @@ class SurfaceMarch:
         y = np.broadcast_to(((np.arange(ny) - 0.5 * (ny - 1)) * self.aspect[1])[None, :], self.shape)
         even, none = np.ones(self.shape), np.zeros(self.shape)
         self.modes = np.stack((np.stack((even, none)), np.stack((none, even)), np.stack((-y, x))))
-        self.by_force, self.place, self.drive, self.near = by_force, np.zeros(3), 0.0, False
-        self.memory, self.time, self.bulk_loss = SurfaceMemory(course, self.shape), math.nan, 0.0
-        self.traction, self.slip = np.zeros((2, *self.shape)), np.zeros((2, *self.shape))
-        self.rubbed, self.slipping = np.zeros(self.shape), np.zeros(self.shape, dtype=bool)
-        self.slip_path = np.zeros(self.shape)
-        self.pressed, self.stored, self.misfit = self._apart(self.gaps, 0.0), 0.0, 0.0
 
-    def step(self, drive: ByDepth | ByLoad, goals: Array, time: float) -> None:
-        """Go to a normal load, and to a place or force of each of the three motions.
+    def begin(self, goal: MapGoal) -> Reached[MapPlaces]:
+        """Return the map at the first point: straight down first, since that alone shears dissimilar bodies."""
+        flat, lines, none = np.zeros(self.shape), np.zeros((2, *self.shape)), np.zeros(self.shape, dtype=bool)
+        memory, apart = SurfaceMemory.fresh(self.course, self.shape), self._apart(self.gaps, 0.0)
+        places = MapPlaces(math.nan, np.zeros(3), 0.0, apart, lines, lines, flat, flat, none, 0.0, memory)
+        if not self.coupled:
+            return self.step(places, goal)
+        pressed = self.step(places, goal._replace(motions=np.zeros(3)))
+        return pressed.then(self.step(pressed.state, goal))
 
-        Parameters
-        ----------
-        drive
-            Depth [m], or sum of p / E*; where it is not positive the bodies are apart.
-        goals
-            Shifts in pixels and twist [rad], or sums of tractions over E*, of the torque with places in pixels.
-        time
-            At the end of the step [s]; what it does in no time comes suddenly.
+    def step(self, state: MapPlaces, goal: MapGoal) -> Reached[MapPlaces]:
+        """Return the map after a step; what it does in no time comes suddenly.
 
         Raises
         ------
@@ -106,147 +158,158 @@ class SurfaceMarch:
         NotConverged
             If the step is not solved to the tolerance.
         """
-        memory = self.memory
-        stiffer = memory.begin(0.0 if math.isnan(self.time) else time - self.time)
-        self.pressed = self.pressed._replace(pressure=stiffer * self.pressed.pressure)
-        self.traction, self.time = stiffer * self.traction, time
-        given = np.where(self.by_force, goals / memory.scale, goals - self.place)
+        drive, memory = goal.drive, state.memory.begin(0.0 if math.isnan(state.time) else goal.time - state.time)
+        stiffer, relaxes, pushed = state.memory.scale / memory.scale, memory.relaxes, max(drive)
+        pressed = state.pressed._replace(pressure=stiffer * state.pressed.pressure)
+        state = state._replace(
+            time=goal.time, pressed=pressed, traction=stiffer * state.traction, memory=memory,
+            slipping=np.zeros(self.shape, dtype=bool),
+        )  # fmt: skip
+        given = np.where(self.by_force, goal.motions / memory.scale, goal.motions - state.place)
         push = drive if isinstance(drive, ByDepth) else ByLoad(drive.load / memory.scale)
-        self.slipping = np.zeros(self.shape, dtype=bool)
         everywhere = (slice(None), slice(None))
-        gaps = self._sunk() if memory.relaxes else self.gaps
-        self.near = self.drive > 0.0 and abs(max(drive) / self.drive - 1.0) <= NEARBY_LOAD
-        if not max(drive) > 0.0:
-            self.pressed = self._apart(gaps, max(drive) if isinstance(drive, ByDepth) else float(np.min(gaps)))
-            self._refuse(given, self.pressed.pressure, everywhere)
-            self.place = np.where(self.by_force, self.place, goals)
-            self.traction, self.slip = np.zeros_like(self.traction), np.zeros_like(self.slip)
-            self.misfit = self.drive = 0.0
-            self._keep(self._grid(everywhere), everywhere, np.zeros_like(self.traction))
-            return
+        gaps = self._sunk(memory) if relaxes else self.gaps
+        if not pushed > 0.0:
+            pressed = self._apart(gaps, pushed if isinstance(drive, ByDepth) else float(np.min(gaps)))
+            self._refuse(given, pressed.pressure, everywhere, memory.scale)
+            none, place = np.zeros_like(state.traction), np.where(self.by_force, state.place, goal.motions)
+            state = state._replace(pressed=pressed, place=place, traction=none, slip=none, misfit=0.0, drive=0.0)
+            return self._kept(state, self._grid(everywhere), everywhere, none, 0.0)
+        near = state.drive > 0.0 and abs(pushed / state.drive - 1.0) <= NEARBY_LOAD
         if self.coupled:
             box, grid = everywhere, self._grid(everywhere)
-            self.pressed, sheared = self._by_turns(grid, push, given, gaps)
+            pressed, sheared = self._by_turns(state, grid, push, given, gaps, near)
         else:
-            if memory.relaxes or max(drive) != self.drive:
-                self.pressed = self._press(push, gaps)
-            box = everywhere if self.periodic else box_around(memory.touched() | (self.pressed.pressure > 0.0))
+            if relaxes or pushed != state.drive:
+                pressed = self._press(push, gaps, pressed.pressure if near else np.empty(0))
+            box = everywhere if self.periodic else box_around(memory.touched() | (pressed.pressure > 0.0))
             here = (slice(None), *box)
-            grid, old = self._grid(box), self.traction[here]
+            grid, old = self._grid(box), state.traction[here]
             before = grid.sheared((memory.held - memory.base)[1:][here])
-            sheared = self._sheared(grid, self.pressed.pressure, before, given, old, box)
-        self.drive = max(drive)
-        self._remember(sheared, box)
-        self._keep(grid, box, sheared.displacement)
+            sheared = self._sheared(state, grid, pressed.pressure, before, given, old, box)
+        state, lost = self._rubbed(state._replace(pressed=pressed, drive=pushed), sheared, box)
+        return self._kept(state, grid, box, sheared.displacement, lost)
 
-    def state(self, time: float) -> SurfaceShearState:
+    def state(self, reached: Reached[MapPlaces]) -> SurfaceShearState:
         """Return what has been reached, in SI units."""
-        touching = self.pressed.pressure > 0.0
+        places, energy = reached.state, self.patch * self.pixel[0]
+        pressed, scale = places.pressed, places.memory.scale
+        touching, modulus = pressed.pressure > 0.0, scale * self.modulus
         count = int(np.count_nonzero(touching))
         area = contact_area(touching, self.pixel, self.periodic) if count else (0.0, 0.0)
-        scale, modulus = self.memory.scale, self.memory.scale * self.modulus
-        sums = np.array([float(np.sum(mode * self.traction)) for mode in self.modes]) * (scale * self.patch)
-        energy = self.patch * self.pixel[0]
+        sums = np.array([float(np.sum(mode * places.traction)) for mode in self.modes]) * (scale * self.patch)
         return SurfaceShearState(
-            time=time,
-            depth=self.pressed.depth,
-            force=scale * self.patch * float(np.sum(self.pressed.pressure)),
-            shift=self.place[:2] * self.pixel[0],
+            time=places.time,
+            depth=pressed.depth,
+            force=scale * self.patch * float(np.sum(pressed.pressure)),
+            shift=places.place[:2] * self.pixel[0],
             shear_force=sums[:2],
-            angle=float(self.place[2]),
+            angle=float(places.place[2]),
             torque=float(sums[2]) * self.pixel[0],
-            peak_pressure=modulus * float(np.max(self.pressed.pressure)),
+            peak_pressure=modulus * float(np.max(pressed.pressure)),
             area=area[0],
             area_error=area[1],
-            stick_share=float(np.count_nonzero(touching & ~self.slipping)) / max(count, 1),
-            stored_energy=energy * self.stored,
-            dissipation=energy * (float(np.sum(self.rubbed)) + self.bulk_loss),
-            bulk_loss=energy * self.bulk_loss,
-            misfit=self.misfit,
-            penetration=self.pressed.penetration,
-            pressure=modulus * self.pressed.pressure,
-            traction=modulus * self.traction,
-            slip=self.pixel[0] * self.slip,
-            slip_path=self.slip_path,
-            slipping=self.slipping,
-            friction_work=self.modulus * self.pixel[0] * self.rubbed,
+            stick_share=float(np.count_nonzero(touching & ~places.slipping)) / max(count, 1),
+            stored_energy=energy * places.stored,
+            dissipation=reached.lost,
+            bulk_loss=energy * places.bulk_loss,
+            misfit=places.misfit,
+            penetration=pressed.penetration,
+            pressure=modulus * pressed.pressure,
+            traction=modulus * places.traction,
+            slip=self.pixel[0] * places.slip,
+            slip_path=places.slip_path,
+            slipping=places.slipping,
+            friction_work=self.modulus * self.pixel[0] * places.rubbed,
         )
 
-    def _remember(self, sheared: ShearedSurface, box: tuple[slice, slice]) -> None:
+    def _rubbed(self, state: MapPlaces, sheared: ShearedSurface, box: tuple[slice, slice]) -> tuple[MapPlaces, float]:
+        """Return the map with the tractions of a part of it, and what friction has lost, as `bulk_loss`."""
         here, length = (slice(None), *box), self.pixel[0]
         slid = np.where(sheared.slipping, sheared.slip, 0.0)
-        total = np.zeros_like(self.slip)
-        total[here] = self.slip[here] + slid
-        self.slip = total * (self.pressed.pressure > 0.0)
-        self.traction = np.zeros_like(self.traction)
-        self.traction[here] = sheared.traction
-        self.rubbed = self.rubbed.copy()
+        slip, traction = np.zeros_like(state.slip), np.zeros_like(state.traction)
+        slip[here], traction[here] = state.slip[here] + slid, sheared.traction
         if isinstance(self.law, Coulomb):
-            self.rubbed[box] += self.memory.scale * np.sum(sheared.traction * slid, 0)
+            lost = np.sum(sheared.traction * slid, 0)
         else:
-            lost = loss_of(self.law, self.pressed.pressure[box], self.slip_path[box], length * np.hypot(*slid))
-            self.rubbed[box] += self.memory.scale * lost / length
-        self.slip_path = self.slip_path.copy()
-        self.slip_path[box] += length * np.hypot(*slid)
-        self.slipping[box] = sheared.slipping
-        self.place = self.place + sheared.motion
-        self.misfit = sheared.misfit
+            far = length * np.hypot(*slid)
+            lost = loss_of(self.law, state.pressed.pressure[box], state.slip_path[box], far) / length
+        lost = state.memory.scale * lost
+        rubbed, path, slipping = state.rubbed.copy(), state.slip_path.copy(), state.slipping.copy()
+        rubbed[box] += lost
+        path[box] += length * np.hypot(*slid)
+        slipping[box] = sheared.slipping
+        state = state._replace(
+            place=state.place + sheared.motion, traction=traction, slip=slip * (state.pressed.pressure > 0.0),
+            slip_path=path, rubbed=rubbed, slipping=slipping, misfit=sheared.misfit,
+        )  # fmt: skip
+        return state, float(np.sum(lost))
 
-    def _keep(self, grid: TractionGrid, box: tuple[slice, slice], displacement: Array) -> None:
-        """End the step, under whose tractions a part of the map is displaced along the surface."""
-        memory = self.memory
-        memory.end(np.concatenate((self.pressed.pressure[None], self.traction)))
+    def _kept(
+        self, state: MapPlaces, grid: TractionGrid, box: tuple[slice, slice], displacement: Array, rubbed: float
+    ) -> Reached[MapPlaces]:
+        """Return the map at the end of a step, under whose tractions a part of it is displaced along the surface."""
+        memory = state.memory.end(np.concatenate((state.pressed.pressure[None], state.traction)))
         carried = grid.sheared(memory.base[1:][(slice(None), *box)]) if memory.relaxes else 0.0
-        self.stored, lost = memory.energies(grid, box, displacement + carried)
-        self.bulk_loss += lost
+        stored, lost = memory.energies(grid, box, displacement + carried)
+        state = state._replace(memory=memory, stored=stored, bulk_loss=state.bulk_loss + lost)
+        return Reached(state, math.nan, self.patch * self.pixel[0] * (rubbed + lost))
 
-    def _sunk(self) -> Array:
+    def _sunk(self, memory: SurfaceMemory) -> Array:
         """Return the gaps between bodies whose surfaces have been displaced before the step [m]."""
         below = self.layers.in_units_of(self.pixel[0]) if self.layers else None
         surface = SurfaceGrid.of(self.shape, self.aspect, periodic=self.periodic, layers=below)
-        sunk = surface.displaced(self.memory.base[0])
+        sunk = surface.displaced(memory.base[0])
         if self.coupled:
-            sunk = sunk + self._grid((slice(None), slice(None))).sunk(self.memory.base[1:])
+            sunk = sunk + self._grid((slice(None), slice(None))).sunk(memory.base[1:])
         return np.asarray(self.gaps + self.pixel[0] * sunk)
 
     def _by_turns(
-        self, grid: TractionGrid, drive: ByDepth | ByLoad, given: Array, gaps: Array
+        self, state: MapPlaces, grid: TractionGrid, drive: ByDepth | ByLoad, given: Array, gaps: Array, near: bool
     ) -> tuple[PressedSurface, ShearedSurface]:
         """Find pressures and tractions by turns."""
-        everywhere = (slice(None), slice(None))
-        earlier = self.memory.held - self.memory.base
+        everywhere, start = (slice(None), slice(None)), state.pressed.pressure
+        earlier = state.memory.held - state.memory.base
         before = grid.sheared(earlier[1:]) + grid.drawn(earlier[0])
 
         def pressed_on(gaps: Array) -> PressedSurface:
-            self.pressed = self._press(drive, gaps)
-            return self.pressed
+            nonlocal start
+            pressed = self._press(drive, gaps, start if near else np.empty(0))
+            start = pressed.pressure
+            return pressed
 
-        def sheared_under(p: Array, start: Array) -> ShearedSurface:
-            return self._sheared(grid, p, before - grid.drawn(p), given, start, everywhere)
+        def sheared_under(p: Array, first: Array) -> ShearedSurface:
+            return self._sheared(state, grid, p, before - grid.drawn(p), given, first, everywhere)
 
         return by_turns(
-            grid, gaps, self.pixel[0], pressed_on, sheared_under, self.traction, self.tolerance,
+            grid, gaps, self.pixel[0], pressed_on, sheared_under, state.traction, self.tolerance,
             by_load=isinstance(drive, ByLoad),
         )  # fmt: skip
 
-    def _press(self, drive: ByDepth | ByLoad, gaps: Array) -> PressedSurface:
-        start = self.pressed.pressure if self.near else np.empty(0)
+    def _press(self, drive: ByDepth | ByLoad, gaps: Array, start: Array) -> PressedSurface:
         return press_from(gaps, self.pixel, drive, periodic=self.periodic, start=start, layers=self.layers)
 
     def _apart(self, gaps: Array, depth: float) -> PressedSurface:
         return PressedSurface(np.zeros(self.shape), gaps - depth, depth, 0.0, 0.0, 0)
 
     def _sheared(
-        self, grid: TractionGrid, pressure: Array, before: Array, given: Array, start: Array, box: tuple[slice, slice]
+        self,
+        state: MapPlaces,
+        grid: TractionGrid,
+        pressure: Array,
+        before: Array,
+        given: Array,
+        start: Array,
+        box: tuple[slice, slice],
     ) -> ShearedSurface:
         """Find the tractions in a part of the map, under friction that may depend on the slip."""
         rigid = RigidStep(self.modes[(slice(None), slice(None), *box)], given, self.by_force)
 
         def solve(bound: Array, start: Array) -> ShearedSurface:
-            self._refuse(given, bound, box)
+            self._refuse(given, bound, box, state.memory.scale)
             return shear(grid, bound, before, rigid, start, tolerance=self.tolerance)
 
-        length, path = self.pixel[0], self.slip_path[box]
+        length, path = self.pixel[0], state.slip_path[box]
         return shear_weakened(
             solve,
             grid,
@@ -259,9 +322,9 @@ class SurfaceMarch:
             by_force=bool(np.any(self.by_force)),
         )
 
-    def _refuse(self, given: Array, bound: Array, box: tuple[slice, slice]) -> None:
+    def _refuse(self, given: Array, bound: Array, box: tuple[slice, slice], scale: float) -> None:
         """Refuse forces that friction does not bear."""
-        patch = self.memory.scale * self.patch
+        patch = scale * self.patch
         forces = np.where(self.by_force, given, 0.0) * patch
         arms = self.pixel[0] * np.hypot(self.modes[2, 0], self.modes[2, 1])[box]
         push, torque = float(np.hypot(forces[0], forces[1])), float(forces[2]) * self.pixel[0]

@@ -16,7 +16,7 @@ nothing any more is displaced by b alone: it recovers freely.
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -74,56 +74,79 @@ def course_of(owner: str, medium: Any) -> tuple[MappedMedium, RelaxationSeries]:
     bodies = [getattr(medium, name, None) for name in ("first", "second")]
     if not any(isinstance(body, ViscoelasticSolid) for body in bodies):
         return medium.elastic, series
-    if not any(isinstance(body, Rigid) for body in bodies) and creep_ratio(*bodies) is None:
+    alone = any(isinstance(body, Rigid) for body in bodies)
+    # the surface of a body that keeps its volume relaxes along itself as it does across
+    if not (alone or creep_ratio(*bodies) is not None or all(body.poisson == 0.5 for body in bodies)):
         raise InvalidInput(
             f"{owner}: the bodies relax each by a function of its own, so that the surface relaxes otherwise along "
             "than across itself and no single function of time stands for both; give bodies that relax in proportion, "
-            "or one of them rigid."
+            "one of them rigid, or both with the Poisson's ratio 0.5."
         )
     first, second = (elastic_with(body, GLASSY) for body in bodies)
     return HalfSpace(first, second), series.scaled(1.0 / series.glassy)
 
 
-class SurfaceMemory:
+class SurfaceMemory(NamedTuple):
     """Pressures and tractions on elastic bodies that would be displaced alike, and what each term of relaxation keeps.
 
     Parameters
     ----------
     series : RelaxationSeries
         By what the moduli of the elastic bodies are multiplied, without a dashpot.
-    shape : tuple of int
-        (nx, ny) of the map.
+    held, change : ndarray, (3, nx, ny)
+        w, and how it changed in the step, over E*.
+    parts, earlier : ndarray, (terms, 3, nx, ny)
+        s_i, after the step and before it.
+    base : ndarray, (3, nx, ny)
+        b of the step.
+    scale : float
+        A of the step.
+    spans : ndarray, (terms,)
+        h_i of the step.
     """
 
-    def __init__(self, series: RelaxationSeries, shape: tuple[int, ...]) -> None:
-        self.series, self.relaxes = series, series.moduli.size > 0
-        self.held, self.change = np.zeros((3, *shape)), np.zeros((3, *shape))
-        self.parts = self.earlier = np.zeros((series.moduli.size, 3, *shape))
-        self.base, self.scale = np.zeros_like(self.held), series.glassy
-        self.spans = np.zeros(series.moduli.size)
+    series: RelaxationSeries
+    held: Array
+    change: Array
+    parts: Array
+    earlier: Array
+    base: Array
+    scale: float
+    spans: Array
+
+    @classmethod
+    def fresh(cls, series: RelaxationSeries, shape: tuple[int, ...]) -> SurfaceMemory:
+        """Return that of bodies that nothing has pressed, on a map (nx, ny)."""
+        none, parts = np.zeros((3, *shape)), np.zeros((series.moduli.size, 3, *shape))
+        return cls(series, none, none, parts, parts, none, series.glassy, np.zeros(series.moduli.size))
+
+    @property
+    def relaxes(self) -> bool:
+        """Whether the bodies relax."""
+        return self.series.moduli.size > 0
 
     def touched(self) -> Array:
         """Which pixels have borne something that is remembered, ``(nx, ny)``."""
         return np.asarray(np.any(self.held, 0) | np.any(self.parts, (0, 1)))
 
-    def begin(self, dt: float) -> float:
-        """Begin a step of a duration [s]: find A and b, and return A of the step before over it."""
-        series, before = self.series, self.scale
-        if self.relaxes:
-            self.spans = dt / series.times
-            fading, rising = np.exp(-self.spans), self._rising()
-            lifted = float(series.moduli @ rising)
-            self.scale = series.relaxed + lifted
-            self.base = (lifted * self.held - np.tensordot(series.moduli * fading, self.parts, 1)) / self.scale
-        return before / self.scale
+    def begin(self, dt: float) -> SurfaceMemory:
+        """Return what is remembered at the beginning of a step of a duration [s], with its A and b."""
+        if not self.relaxes:
+            return self
+        series, spans = self.series, dt / self.series.times
+        lifted = float(series.moduli @ _rising(spans))
+        scale = series.relaxed + lifted
+        base = (lifted * self.held - np.tensordot(series.moduli * np.exp(-spans), self.parts, 1)) / scale
+        return self._replace(base=base, scale=scale, spans=spans)
 
-    def end(self, borne: Array) -> None:
-        """End it under pressures and tractions over A, ``(3, nx, ny)``."""
-        after = borne + self.base
-        self.change, self.held, self.earlier = after - self.held, after, self.parts
+    def end(self, borne: Array) -> SurfaceMemory:
+        """Return what is remembered at its end, under pressures and tractions over A, ``(3, nx, ny)``."""
+        held, parts = borne + self.base, self.parts
+        change = held - self.held
         if self.relaxes:
-            fading, rising = (row[:, None, None, None] for row in (np.exp(-self.spans), self._rising()))
-            self.parts = fading * self.parts + rising * self.change
+            fading, rising = (row[:, None, None, None] for row in (np.exp(-self.spans), _rising(self.spans)))
+            parts = fading * parts + rising * change
+        return self._replace(held=held, change=change, parts=parts, earlier=self.parts)
 
     def energies(self, grid: TractionGrid, box: tuple[slice, slice], moved: Array) -> tuple[float, float]:
         """Return what tractions store at the end of the step, and what they lost in it inside of the bodies.
@@ -141,7 +164,7 @@ class SurfaceMemory:
         stored, lost = 0.5 * series.relaxed * float(np.sum(self.held[here] * moved)), 0.0
         if not self.relaxes:
             return stored, lost
-        change, fading, rising = self.change[here], np.exp(-self.spans), self._rising()
+        change, fading, rising = self.change[here], np.exp(-self.spans), _rising(self.spans)
         turned = grid.sheared(change)
         terms = zip(series.moduli.tolist(), self.spans.tolist(), fading, rising, self.earlier, strict=True)
         for modulus, span, fade, rise, part in terms:
@@ -152,10 +175,10 @@ class SurfaceMemory:
             lost += modulus * float(np.dot(_loss_factors(span), products))
         return stored, lost
 
-    def _rising(self) -> Array:
-        """Return what each term keeps of a steady change, ``(terms,)``."""
-        spans = self.spans
-        return np.where(spans > 0.0, -np.expm1(-spans) / np.where(spans > 0.0, spans, 1.0), 1.0)
+
+def _rising(spans: Array) -> Array:
+    """Return what each term keeps of a steady change, ``(terms,)``."""
+    return np.where(spans > 0.0, -np.expm1(-spans) / np.where(spans > 0.0, spans, 1.0), 1.0)
 
 
 def _loss_factors(span: float) -> tuple[float, float, float]:

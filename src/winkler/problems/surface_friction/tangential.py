@@ -24,16 +24,17 @@ from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import BALANCED, MAPPED
 from winkler.problems.last_cycle import Looped, PathLoop
 from winkler.problems.rough.compliance import compliance_of
+from winkler.problems.row import follow
 from winkler.problems.subsurface.last_map import LastMap
 from winkler.problems.subsurface.loaded_history import LoadedMap, gathered_maps
 from winkler.problems.subsurface.traction_frames import TractionFrame
-from winkler.problems.surface_friction.march import SurfaceMarch
+from winkler.problems.surface_friction.march import MapGoal, MapRow
 from winkler.problems.surface_friction.notes import surface_shear_notes
 from winkler.problems.surface_friction.relaxing import course_of, relaxing_map_notes
 from winkler.problems.surface_friction.state import MapSlip, SurfaceShearState
 from winkler.profiles.rough.topography import Topography
 from winkler.values.checks.number_checks import Advice, affordable, between
-from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
+from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.limits import MOST_NUMBERS
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
@@ -182,18 +183,16 @@ class SurfaceTangential:
             If stick and slip are not found to the tolerance.
         """
         given, by_force = self._motions()
-        march = SurfaceMarch(self.topography, *self._course, self.law, by_force, self.tolerance)
+        row = MapRow(self.topography, *self._course, self.law, by_force, self.tolerance)
         length = self.topography.pixel[0]
-        unit = np.where(by_force, march.patch * np.array([1.0, 1.0, length]), np.array([length, length, 1.0]))
-        for index, (time, load) in enumerate(zip(self.path.time.tolist(), self.path.across.tolist(), strict=True)):
-            drive = ByDepth(load) if isinstance(self.path.normal, Depth) else ByLoad(load / march.patch)
-            try:
-                if index == 0 and march.coupled:  # straight down first: that alone shears dissimilar bodies
-                    march.step(drive, np.zeros(3), time)
-                march.step(drive, given[index] / unit, time)
-            except (NotConverged, OutsideValidity) as error:
-                raise type(error)(f"SurfaceTangential: at index {index} of the path, {error}.") from None
-            yield march.state(time)
+        motions = given / np.where(by_force, row.patch * np.array([1.0, 1.0, length]), np.array([length, length, 1.0]))
+        across = self.path.across
+        drives = (
+            map(ByDepth, across.tolist())
+            if isinstance(self.path.normal, Depth)
+            else map(ByLoad, (across / row.patch).tolist())
+        )
+        yield from map(row.state, follow(row, map(MapGoal, self.path.time.tolist(), drives, motions)))
 
     def gathered(self, states: Iterable[SurfaceShearState]) -> SurfaceTangentialSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""
