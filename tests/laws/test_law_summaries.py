@@ -23,8 +23,14 @@ from winkler.values.units import quantity
 
 SLOW_EXAMPLES = {"viscoelastic_impact"}
 KINDS = [pytest.param(kind, marks=[pytest.mark.slow] * (kind in SLOW_EXAMPLES)) for kind in answers()]
+WITHOUT_FORCES = {"held_contacts", "spot_cluster", "band_heating"}
 STRESSES = {"max_shear", "orthogonal_shear"}
 SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−µΩ", "0123456789--uΩ")
+FORCES, MODULI = r"[kMGmµ]?N(?:/m|/mm)?", r"[kMG]?Pa"
+MOVED, KEPT = 1e-9, 1e-2
+"""By which part inputs are moved, and to which part each number is then the same."""
+RESIDUALS = {"strip_error", "penetration", "misfit", "imbalance"}
+"""What a solver leaves, which is rounding by its nature."""
 DIGITS = 5e-3
 """Four digits are shown, of shares three."""
 
@@ -32,6 +38,23 @@ DIGITS = 5e-3
 @functools.cache
 def outcome_of(kind):
     return run(parse_study(tomli_w.dumps({"title": "x", **example_study(kind)})))
+
+
+@functools.cache
+def moved_outcomes(kind):
+    """Return what comes out where all forces, or all moduli, of the example are greater in the ninth digit."""
+    study = example_study(kind)
+    changed = (moved(study, unit) for unit in (FORCES, MODULI))
+    return [run(parse_study(tomli_w.dumps({"title": "x", **one}))) for one in changed if one != study]
+
+
+def moved(content, unit):
+    if isinstance(content, dict):
+        return {key: moved(one, unit) for key, one in content.items()}
+    if isinstance(content, list):
+        return [moved(one, unit) for one in content]
+    found = re.fullmatch(rf"([-\d.e]+) ({unit})", content) if isinstance(content, str) else None
+    return f"{float(found[1]) * (1.0 + MOVED)!r} {found[2]}" if found else content
 
 
 @functools.cache
@@ -144,3 +167,24 @@ def test_the_rows_keep_physical_bounds(kind):
     assert 0.0 <= number.get("contact_share", 0.0) <= 1.0
     for name in ("area", "radius", "half_width", "loss_per_cycle", "loss_factor", "leak_per_width", "peak_pressure"):
         assert number.get(name, 0.0) >= 0.0, name
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_no_number_that_is_shown_is_rounding(kind):
+    """What is more than rounding moves in the digits in which the inputs move: in the ninth, not in the second."""
+    point, others = outcome_of(kind).points[0], [outcome.points[0] for outcome in moved_outcomes(kind)]
+    assert others or kind in WITHOUT_FORCES, "nothing was moved"
+    for name, numbers in point.readable.items():
+        for other in others if name not in RESIDUALS else ():
+            assert other.readable[name] == pytest.approx(numbers, rel=KEPT, abs=0.0, nan_ok=True), name
+
+
+def test_rounding_is_kept_in_files_and_named_where_it_is():
+    """The lateral force of a wheel that rolls straight on is some nN of 100 N: zero for readers, kept in files."""
+    outcome = outcome_of("surface_rolling")
+    kept = {column.name: column.content for column in outcome.table()}["lateral_force"]
+    shown = {column.name: column.content for column in outcome.readable_table()}["lateral_force"]
+    assert 0.0 < np.max(np.abs(kept)) < 1e-6
+    assert np.all(shown == 0.0)
+    assert summary_of("surface_rolling")["longitudinal_force"].number == outcome.answer("longitudinal_force")[-1]
+    assert "nN" not in " ".join(row.text for row in summary_of("surface_rolling").values())

@@ -200,7 +200,7 @@ def _family(
     """Return one answer over another, one curve for each of the first points of the sweep."""
     points = outcome.solved[:MOST_CURVES]
     labels = [settings_text(outcome.study, point.settings) for point in points]
-    along, of = ([Series(name, outcome.word(name), point.answers[name]) for point in points] for name in (over, what))
+    along, of = ([Series(name, outcome.word(name), point.readable[name]) for point in points] for name in (over, what))
     count = len(outcome.solved)
     cut = f" The first {MOST_CURVES} of {count} curves are shown." if count > MOST_CURVES else ""
     title = capital(f"{name_in_words(what)} over {name_in_words(over)}")
@@ -223,7 +223,7 @@ def _loops(outcome: Outcome, answer: Answer) -> Iterator[ReportFigure]:
     worth, used = _answers_worth(outcome), set[str]()
     for over, what in answer.curves:
         if over in worth and what in worth:
-            of = [point.answers[what] for point in points]
+            of = [point.readable[what] for point in points]
             if len(of) > 1 and all(np.array_equal(one, of[0]) for one in of):
                 continue  # given, not computed
             yield _family(outcome, over, what, stem=f"answer_{what}_over_{over}" if what in used else "")

@@ -95,7 +95,7 @@ def given_rows(given_inputs: Iterable[Input]) -> list[str]:
 
 def answer_section(outcome: Outcome) -> str:
     """Return the answers: large numbers and a list for one load, a table for many."""
-    columns = outcome.table()
+    columns = outcome.readable_table()
     rows = len(columns[0].content)
     if rows == 1:
         return section("Results", headline_section(outcome), _single(columns), _events(outcome))

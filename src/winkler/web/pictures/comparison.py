@@ -32,7 +32,7 @@ def numbers_of(outcome: Outcome) -> tuple[NamedNumber, ...]:
     swept = {axis.key for axis in outcome.study.sweep}
     return tuple(
         NamedNumber(name_in_words(column.name), column.word.symbol, column.word.unit, float(column.content[-1]))
-        for column in outcome.table()
+        for column in outcome.readable_table()
         if column.word.unit is not None and column.name not in swept and column.content.dtype.kind == "f"
     )
 

@@ -15,10 +15,11 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.study.batch.outcome import SolvedPoint, answers_of
+from winkler.study.batch.points import sides_of_map
 from winkler.values.errors import OutsideValidity
 from winkler.values.vocabulary import GLOSSARY, Word, word
 
-__all__ = ["CALLED", "WORDS", "numbers_inside", "numbers_of_contact", "sides_of_map"]
+__all__ = ["CALLED", "WORDS", "numbers_inside", "numbers_of_contact"]
 
 CALLED: Mapping[str, str] = MappingProxyType(
     {
@@ -71,7 +72,7 @@ def numbers_of_contact(point: SolvedPoint) -> dict[str, Array]:
     point
         A solved point.
     """
-    found: dict[str, Array] = dict(point.answers)
+    found: dict[str, Array] = dict(point.readable)
     found |= {name: content for name, content in _following(found, point.problem).items() if name not in found}
     return found
 
@@ -106,7 +107,7 @@ def _following(found: Mapping[str, Array], problem: Any) -> dict[str, Array]:
         with np.errstate(invalid="ignore", divide="ignore"):
             more["mean_pressure"] = np.where(given["area"] > 0.0, given["force"] / given["area"], 0.0)
     sides = sides_of_map(problem)
-    if sides is not None:
+    if sides.size:
         whole = float(np.prod(sides))
         more |= {"nominal_pressure": given["force"] / whole} if "force" in given else {}
         more |= {"contact_share": given["area"] / whole} if "area" in given else {}
@@ -117,16 +118,3 @@ def _following(found: Mapping[str, Array], problem: Any) -> dict[str, Array]:
 def _outline(problem: Any) -> Any:
     """Return the outline of a round contact by its bed; None where a problem has none."""
     return getattr(getattr(problem, "bed", None), "footprint", None)
-
-
-def sides_of_map(problem: Any) -> Array | None:
-    """Return the sides of the height map of a problem, or of the contact that it takes [m]; None without one.
-
-    Parameters
-    ----------
-    problem
-        Any.
-    """
-    if isinstance(side := getattr(problem, "side", None), float):
-        return np.array([side, side])
-    return getattr(getattr(getattr(problem, "contact", problem), "topography", None), "lengths", None)

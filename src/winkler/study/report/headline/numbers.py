@@ -172,7 +172,7 @@ def sought_numbers(outcome: Outcome) -> tuple[SoughtNumber, ...]:
     names = record.headline or tuple(reversed([name for name in outcome.answers if outcome.word(name).unit]))
     varied = {axis.key.rpartition(".")[2] for axis in study.sweep}
     words = {name: outcome.word(name) for name in names if name in outcome.answers and name not in varied}
-    found = numbers_named(outcome, words, [point.answers for point in outcome.solved])
+    found = numbers_named(outcome, words, [point.readable for point in outcome.solved])
     return tuple(sorted(found, key=lambda one: one.prescribed))
 
 

@@ -16,9 +16,10 @@ from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.study.batch.outcome import Outcome, SolvedPoint
+from winkler.study.batch.points import sides_of_map
 from winkler.study.chapters.contents import answer_of
 from winkler.study.report.describe import settings_text
-from winkler.study.report.headline.declared import CALLED, WORDS, numbers_inside, numbers_of_contact, sides_of_map
+from winkler.study.report.headline.declared import CALLED, WORDS, numbers_inside, numbers_of_contact
 from winkler.study.report.headline.elastic_state import ElasticState, elastic_state
 from winkler.study.report.headline.numbers import ALIKE, SoughtNumber, as_share, numbers_named, sought_numbers
 from winkler.study.report.headline.shown_contact import (
@@ -81,7 +82,7 @@ def contact_summary(outcome: Outcome) -> tuple[SummaryNumber, ...]:
         return ()
     sought = sought_numbers(outcome)
     whole_curve = not answer_of(outcome.study.problem).headline
-    each = [point.answers if whole_curve else numbers_of_contact(point) for point in outcome.solved]
+    each = [point.readable if whole_curve else numbers_of_contact(point) for point in outcome.solved]
     varied = {axis.key.rpartition(".")[2] for axis in outcome.study.sweep}
     names = [name for name in CALLED if any(name in one for one in each)]
     shown = {one.name for one in sought} | varied
@@ -162,7 +163,7 @@ def _inside(point: SolvedPoint) -> Iterator[SummaryNumber]:
 def _of_map(point: SolvedPoint, remark: str) -> str:
     """Return a remark with the sides of the height map over which a number is a mean."""
     sides = sides_of_map(point.problem)
-    if sides is None:
+    if not sides.size:
         return remark
     whole = f"of the whole map, {' x '.join(with_unit(float(side), 'm') for side in sides)}"
     return f"{whole}; {remark}" if remark else whole
