@@ -6,6 +6,8 @@ the greatest is climbed to.  Stresses on the surface are those in the middles of
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from winkler.media.interior.map_field import MapField
@@ -14,7 +16,7 @@ from winkler.media.interior.periodic_map_field import PeriodicMapField
 from winkler.media.interior.tensor import Measure, Tensor, von_mises
 from winkler.numerics.types import Array
 
-__all__ = ["greatest_below_map"]
+__all__ = ["greatest_below_map", "greatest_by_depths"]
 
 SHALLOWEST = 0.5
 """Smallest depth below the surface that is searched, in pixels; nearer to it the steps between pixels show."""
@@ -46,13 +48,7 @@ def greatest_below_map(field: MapField | PeriodicMapField, measure: Measure = vo
     measure
         Of which kind; von Mises' unless given.
     """
-    loaded = np.any(field.loads != 0.0, axis=0)
-    sides = [np.flatnonzero(loaded.any(axis=axis)) for axis in (1, 0)]
-    spans = [(part[-1] - part[0] + 1) * size for part, size in zip(sides, field.pixel, strict=True)]
-    pixel = max(field.pixel)
-    depths = [SHALLOWEST * pixel]
-    while depths[-1] < DEEPEST * max(spans):
-        depths.append(DEPTH_STEP * depths[-1])
+    depths, pixel = _depths(field), max(field.pixel)
     surface = _best_at(field, 0.0, measure)
     found = sorted(
         (_best_at(_on_means(field, z, MEANS_PER_DEPTH), z, measure) for z in depths), key=lambda spot: -spot.value
@@ -70,6 +66,47 @@ def greatest_below_map(field: MapField | PeriodicMapField, measure: Measure = vo
     return max(surface, _climbed(field, best, least, LAST_STEP, measure), key=lambda spot: spot.value)
 
 
+def greatest_by_depths(field: MapField | PeriodicMapField, measures: Sequence[Measure]) -> tuple[StressSpot, ...]:
+    """Return the greatest stresses of several kinds in the middles of pixels, z >= 0, which costs transforms alone.
+
+    Parameters
+    ----------
+    field
+        With some load.
+    measures
+        Of which kinds.
+    """
+
+    def bests(z: float, per_depth: float = MEANS_PER_DEPTH) -> list[StressSpot]:
+        pixels = _on_means(field, z, per_depth)
+        stress = Tensor(*pixels.at_depth(z)[:6])
+        return [_best_of(pixels, measure(stress), z) for measure in measures]
+
+    depths = _depths(field)
+    rows = [bests(z) for z in depths]
+    found = []
+    for place, (surface, spots) in enumerate(zip(bests(0.0), zip(*rows, strict=True), strict=True)):
+        top = max(range(len(depths)), key=lambda row: spots[row].value)
+        if 0 < top < len(depths) - 1:  # a parabola over the logarithm of the depth
+            low, middle, high = (spots[row].value for row in (top - 1, top, top + 1))
+            bend = low - 2.0 * middle + high
+            z = depths[top] * DEPTH_STEP ** (0.5 * (low - high) / bend if bend < 0.0 else 0.0)
+            spots = (*spots, bests(float(z), MEANS_PER_CLIMB)[place])
+        found.append(max(surface, *spots, key=lambda spot: spot.value))
+    return tuple(found)
+
+
+def _depths(field: MapField | PeriodicMapField) -> list[float]:
+    """Return the depths of the search [m]."""
+    loaded = np.any(field.loads != 0.0, axis=0)
+    sides = [np.flatnonzero(loaded.any(axis=axis)) for axis in (1, 0)]
+    spans = [(part[-1] - part[0] + 1) * size for part, size in zip(sides, field.pixel, strict=True)]
+    depths = [SHALLOWEST * max(field.pixel)]
+    while depths[-1] < DEEPEST * max(spans):
+        depths.append(DEPTH_STEP * depths[-1])
+    return depths
+
+
 def _on_means(field: MapField | PeriodicMapField, z: float, per_depth: float) -> MapField | PeriodicMapField:
     """Return the map on pixels as large as the depth allows; a periodic one as it is."""
     times = int(z / (per_depth * max(field.pixel)))
@@ -77,7 +114,10 @@ def _on_means(field: MapField | PeriodicMapField, z: float, per_depth: float) ->
 
 
 def _best_at(field: MapField | PeriodicMapField, z: float, measure: Measure) -> StressSpot:
-    stress = measure(Tensor(*field.at_depth(z)[:6]))
+    return _best_of(field, measure(Tensor(*field.at_depth(z)[:6])), z)
+
+
+def _best_of(field: MapField | PeriodicMapField, stress: Array, z: float) -> StressSpot:
     i, j = np.unravel_index(int(np.argmax(stress)), stress.shape)
     return StressSpot(float(stress[i, j]), (float(i) + 0.5) * field.pixel[0], (float(j) + 0.5) * field.pixel[1], z)
 

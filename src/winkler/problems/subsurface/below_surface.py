@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 
 import numpy as np
@@ -51,6 +52,7 @@ def _scaled(places: tuple[Array, Array, Array], found: Array, solid: Elastic) ->
     return BodyFields(*places, *found[:6], *(0.5 / solid.shear * found[6:]))
 
 
+@functools.lru_cache(maxsize=16)
 def greatest_stress(load: SurfaceLoad, solid: Elastic) -> StressSpot:
     """Return the greatest von Mises stress [Pa] and its place [m], z >= 0."""
     spot = greatest_below_map(load.field(solid.poisson))

@@ -14,7 +14,6 @@ import numpy as np
 
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array
-from winkler.problems.normal.indentation import IndentationSolution
 from winkler.study.batch.outcome import Outcome, SolvedPoint
 from winkler.study.batch.points import sides_of_map
 from winkler.study.chapters.contents import answer_of
@@ -27,7 +26,6 @@ from winkler.study.report.headline.shown_contact import (
     shown_contact,
     shown_point,
     stressed_contact,
-    stresses_inside,
 )
 from winkler.values.errors import WinklerError
 from winkler.values.readable import with_unit
@@ -174,26 +172,28 @@ def _stresses(point: SolvedPoint) -> Iterator[SummaryNumber]:
     state = elastic_state(point)
     if state is None:
         return
-    found = stressed_contact(point)
+    if not math.isnan(state.peak_pressure):
+        yield _plain("peak_pressure", state.peak_pressure, "Pa", _rated(stressed_contact(point), state))
+    for name, (stress, depth) in zip(("max_shear", "orthogonal_shear"), state.shears, strict=False):
+        yield _plain(name, stress, "Pa", _below(depth))
     sharp = f"; {state.sharp}" if state.sharp else ""
-    yield _plain("peak_pressure", state.peak_pressure, "Pa", _rated(found, state))
-    if (inside := stresses_inside(found)) is not None:
-        for name, depth in (
-            ("max_shear", inside.max_shear_depth),
-            ("orthogonal_shear", inside.orthogonal_shear_depth),
-        ):
-            yield _plain(name, getattr(inside, name), "Pa", f"{with_unit(abs(depth), 'm', 3)} below the surface")
-    where = f"{with_unit(state.depth, 'm', 3)} below the surface, {state.body}, without friction{sharp}"
-    yield _plain("von_mises", state.von_mises, "Pa", where)
+    deep = "" if math.isnan(state.depth) else f"{_below(state.depth)}, "
+    share = f"; {state.share:.3g} of the strength" if 0.0 < state.share != 1.0 and math.isnan(state.yield_load) else ""
+    yield _plain("von_mises", state.von_mises, "Pa", f"{deep}{state.body}, {state.under}{share}{sharp}")
     if math.isfinite(state.strength) and not math.isnan(state.yield_load):
-        share = f"the greatest stress is {state.von_mises / state.strength:.3g} of the strength of the {state.body}"
-        yield _plain("yield_force", state.yield_load, state.unit, share)
+        said = f"the greatest stress is {state.share:.3g} of the strength of the {state.body}"
+        said = said if math.isnan(state.times) else f"the greatest load is {state.times:.3g} times this"
+        yield _plain("yield_force", state.yield_load, state.unit, said)
+
+
+def _below(depth: float) -> str:
+    return f"{with_unit(depth, 'm', 3)} below the surface" if depth else "at the surface"
 
 
 def _rated(found: Any, state: ElasticState) -> str:
     """Return the share of the static rating of bearings, of ellipses and strips of steel; else nothing."""
     medium = medium_of(found)
-    if isinstance(found, IndentationSolution) or not isinstance(medium, HalfSpace):
+    if not isinstance(medium, HalfSpace) or not (state.unit == "N/m" or hasattr(found, "lateral_semi_axis")):
         return ""
     if not STEELS[0] <= medium.modulus <= STEELS[1]:
         return ""
