@@ -77,8 +77,8 @@ class ElasticState(NamedTuple):
         Which contact it is, or with which tractions.
     shears
         Greatest shear stress, and greatest shear stress along the surface; empty where they are not known.
-    times
-        Greatest load over that of yield, of metals that yield; not a number of others.
+    load
+        Load of the contact [N, N/m]; not a number where the load of yield is not known.
     """
 
     peak_pressure: float
@@ -91,7 +91,7 @@ class ElasticState(NamedTuple):
     unit: str
     under: str = FRICTIONLESS
     shears: tuple[Deep, ...] = ()
-    times: float = math.nan
+    load: float = math.nan
 
     @property
     def share(self) -> float:
@@ -99,12 +99,18 @@ class ElasticState(NamedTuple):
         return self.von_mises / self.strength
 
     @property
-    def place(self) -> str:
-        """Where the greatest von Mises stress is, for a sentence."""
+    def margin(self) -> float:
+        """The load of yield over that of the contact; where it is not known, the strength over the stress."""
+        if not math.isnan(self.yield_load):
+            return self.yield_load / self.load if self.load > 0.0 else math.inf
+        return 1.0 / self.share if self.share > 0.0 else math.inf
+
+    def place(self, digits: int = 2) -> str:
+        """Return where the greatest von Mises stress is, for a sentence."""
         if math.isnan(self.depth):
             return self.body
-        where = f"{with_unit(self.depth, 'm', 2)} below the surface" if self.depth else "at the surface"
-        return f"{where}, {self.body}"
+        deep = f"{with_unit(self.depth, 'm', digits)} below the surface" if self.depth else "at the surface"
+        return f"{deep}, {self.body}"
 
 
 @functools.lru_cache(maxsize=2)  # headline, summary and cards ask for one point
@@ -166,7 +172,8 @@ def _round(contact: Any) -> ElasticState | None:
     part, state = _state(parts, find, float(np.max(contact.peak_pressure)), "N")
     onset = _onset(pressed.bed, part, sharp[part]) if part.solid.strength < math.inf else math.nan
     shears = () if sharp[part] else state.shears
-    return state._replace(sharp=sharp[part], yield_load=onset, shears=shears)
+    load = float(np.max(contact.force))
+    return state._replace(sharp=sharp[part], yield_load=onset, shears=shears, load=load)
 
 
 def _alike(parts: tuple[StrongPart, ...], part: StrongPart, pressed: PressedSprings) -> StrongPart:
@@ -203,7 +210,7 @@ def _yielded(solution: Any, problem: Any) -> ElasticState | None:
     if times >= 1.0:
         under = f"{'at least ' * hardens}the strength; stresses that stay after unloading are not computed"
     stress = min(times**power, 1.0) * strength
-    return ElasticState(math.nan, stress, math.nan, part.name, "", strength, onset, unit, under, (), times)
+    return ElasticState(math.nan, stress, math.nan, part.name, "", strength, onset, unit, under, (), greatest)
 
 
 def _ellipse(solution: Any, problem: Any) -> ElasticState | None:
@@ -221,7 +228,7 @@ def _ellipse(solution: Any, problem: Any) -> ElasticState | None:
 
     _, state = _state(solid_parts(medium), find, peak, "N")
     force = 2.0 / 3.0 * math.pi * first * second * peak
-    return state._replace(yield_load=force / state.share**3 if state.share else math.nan)
+    return state._replace(yield_load=force / state.share**3 if state.share else math.nan, load=force)
 
 
 def _strip(solution: Any, problem: Any) -> ElasticState | None:
@@ -249,7 +256,8 @@ def _strip(solution: Any, problem: Any) -> ElasticState | None:
     find = _below_strip(lambda one: LineContact(bed, width, edge, one.solid.poisson, 0.0))
     _, state = _state(solid_parts(bed.medium), find, peak, "N/m")
     similar = bed.hertzian and state.share > 0.0  # all cylinders are similar
-    return state._replace(yield_load=float(elastic.force_per_length) / state.share**2 if similar else math.nan)
+    load = float(elastic.force_per_length)
+    return state._replace(yield_load=load / state.share**2 if similar else math.nan, load=load)
 
 
 def _below_strip(contact_of: Callable[[StrongPart], Any]) -> Search:

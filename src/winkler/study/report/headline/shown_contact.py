@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from winkler.loading.loads import Depth
 from winkler.media.halfspace import HalfSpace
+from winkler.numerics.types import Array
 from winkler.plot.method import Contact
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.normal.elliptic import EllipticSolution
@@ -18,12 +21,29 @@ from winkler.study.chapters.answer import PicturedContact as Shows
 from winkler.study.chapters.contents import answer_of
 from winkler.values.errors import InvalidInput, OutsideValidity
 
-__all__ = ["medium_of", "shown_contact", "shown_point", "stressed_contact", "stresses_inside"]
+__all__ = ["medium_of", "most_pressed", "shown_contact", "shown_point", "stressed_contact", "stresses_inside"]
 
 
 def shown_point(outcome: Outcome) -> SolvedPoint:
     """Return the point whose contact the pictures show: the last one that was solved."""
     return outcome.solved[-1]
+
+
+def most_pressed(points: Sequence[SolvedPoint], each: Sequence[Mapping[str, Array]]) -> SolvedPoint:
+    """Return the point with the greatest pressure, else with the greatest load; else the last.
+
+    Parameters
+    ----------
+    points
+        Solved ones.
+    each
+        Numbers of each.
+    """
+    for name in ("peak_pressure", "mean_pressure", "force", "force_per_length"):
+        if all(name in one for one in each):
+            greatest = [np.max(one[name], initial=-math.inf, where=~np.isnan(one[name])) for one in each]
+            return points[int(np.argmax(greatest))]
+    return points[-1]
 
 
 def shown_contact(point: SolvedPoint) -> Contact | None:

@@ -7,7 +7,7 @@ the contact inside it, then the stresses of the contact that is pressed without 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -23,6 +23,7 @@ from winkler.study.report.headline.elastic_state import ElasticState, elastic_st
 from winkler.study.report.headline.numbers import ALIKE, SoughtNumber, as_share, numbers_named, sought_numbers
 from winkler.study.report.headline.shown_contact import (
     medium_of,
+    most_pressed,
     shown_contact,
     shown_point,
     stressed_contact,
@@ -101,7 +102,7 @@ def contact_summary(outcome: Outcome) -> tuple[SummaryNumber, ...]:
             rows[row.key] = kept if kept.remark else kept._replace(remark=row.remark)
         rows |= {name: rows[name]._replace(remark=_of_map(point, rows[name].remark)) for name in OF_MAP if name in rows}
     elif not outcome.study.design.draws:
-        point = _most_pressed(outcome, each)
+        point = most_pressed(outcome.solved, each)
         where = f"at {settings_text(outcome.study, point.settings)}"
         stresses = (row._replace(remark=f"{row.remark}, {where}" if row.remark else where) for row in _stresses(point))
         rows |= {row.key: row for row in stresses if row.key not in rows and row.key not in varied}
@@ -119,15 +120,6 @@ def _greatest(numbers: Array) -> Array:
     """Return the number along the loads of a point that is farthest from zero, as an array of one."""
     finite = numbers[np.isfinite(numbers)]
     return finite[[int(np.argmax(np.abs(finite)))]] if finite.size else np.array([math.nan])
-
-
-def _most_pressed(outcome: Outcome, each: Sequence[Mapping[str, Array]]) -> SolvedPoint:
-    """Return the point of a sweep with the greatest pressure, else with the greatest load; else the last."""
-    for name in ("peak_pressure", "mean_pressure", "force", "force_per_length"):
-        if all(name in one for one in each):
-            greatest = [np.max(one[name][~np.isnan(one[name])], initial=-math.inf) for one in each]
-            return outcome.solved[int(np.argmax(greatest))]
-    return shown_point(outcome)
 
 
 def _row(one: SoughtNumber) -> SummaryNumber:
@@ -177,12 +169,11 @@ def _stresses(point: SolvedPoint) -> Iterator[SummaryNumber]:
     for name, (stress, depth) in zip(("max_shear", "orthogonal_shear"), state.shears, strict=False):
         yield _plain(name, stress, "Pa", _below(depth))
     sharp = f"; {state.sharp}" if state.sharp else ""
-    deep = "" if math.isnan(state.depth) else f"{_below(state.depth)}, "
     share = f"; {state.share:.3g} of the strength" if 0.0 < state.share != 1.0 and math.isnan(state.yield_load) else ""
-    yield _plain("von_mises", state.von_mises, "Pa", f"{deep}{state.body}, {state.under}{share}{sharp}")
+    yield _plain("von_mises", state.von_mises, "Pa", f"{state.place(3)}, {state.under}{share}{sharp}")
     if math.isfinite(state.strength) and not math.isnan(state.yield_load):
         said = f"the greatest stress is {state.share:.3g} of the strength of the {state.body}"
-        said = said if math.isnan(state.times) else f"the greatest load is {state.times:.3g} times this"
+        said = f"the greatest load is {1.0 / state.margin:.3g} times this" if math.isnan(state.depth) else said
         yield _plain("yield_force", state.yield_load, state.unit, said)
 
 
