@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import functools
+import json
 import math
 import re
 from types import SimpleNamespace
@@ -13,6 +14,7 @@ import pytest
 import tomli_w
 
 import winkler as wk
+from winkler.cli import main
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.normal.elliptic import EllipticSolution
 from winkler.problems.normal.indentation import IndentationSolution
@@ -21,10 +23,9 @@ from winkler.study.batch.run import run
 from winkler.study.chapters.contents import answers
 from winkler.study.language.explain import example_study
 from winkler.study.language.reading import parse_study
-from winkler.study.report.headline.declared import CALLED
 from winkler.study.report.headline.elastic_state import elastic_state, stressed_contact
 from winkler.study.report.headline.shown_contact import shown_contact, shown_point
-from winkler.study.report.headline.summary import contact_summary
+from winkler.study.report.headline.summary import CALLED, contact_summary
 from winkler.values.units import quantity
 
 SLOW_EXAMPLES = {"viscoelastic_impact"}
@@ -325,3 +326,13 @@ def test_rounding_is_kept_in_files_and_named_where_it_is():
     assert np.all(shown == 0.0)
     assert summary_of("surface_rolling")["longitudinal_force"].number == outcome.answer("longitudinal_force")[-1]
     assert "nN" not in " ".join(row.text for row in summary_of("surface_rolling").values())
+
+
+def test_json_has_the_rows_of_the_summary(tmp_path, capsys):
+    study = tmp_path / "ball.toml"
+    study.write_text(tomli_w.dumps({"title": "x", **example_study("surface_rolling")}), encoding="utf-8")
+    assert main(["run", str(study), "--json"]) == 0
+    rows = {row["key"]: row for row in json.loads(capsys.readouterr().out)["summary"]}
+    assert rows == {key: row.table() for key, row in summary_of("surface_rolling").items()}
+    assert rows["lateral_force"]["value"] == 0.0
+    assert rows["von_mises"]["unit"] == "Pa"

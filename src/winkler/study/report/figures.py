@@ -8,12 +8,17 @@ from typing import Any
 
 import numpy as np
 
+from winkler.loading.loads import Depth
+from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array
 from winkler.plot.families import bar_sheet, family_sheet
 from winkler.plot.method import Contact, method_sheet, pictures_of
 from winkler.plot.series import Series, name_in_words
 from winkler.problems.adhesion.indentation import AdhesiveSolution
-from winkler.problems.subsurface.contact_stress import ContactStressSolution
+from winkler.problems.line.indentation import LineSolution
+from winkler.problems.normal.elliptic import EllipticSolution
+from winkler.problems.normal.indentation import Indentation, IndentationSolution
+from winkler.problems.subsurface.contact_stress import ContactStress, ContactStressSolution
 from winkler.study.batch.outcome import Outcome
 from winkler.study.chapters.answer import ALONG, Answer
 from winkler.study.chapters.answer import PicturedContact as Shows
@@ -24,10 +29,10 @@ from winkler.study.language.study import Axis, Study
 from winkler.study.report.describe import content_label, setting_text, settings_text
 from winkler.study.report.extra_pictures import ExtraPicture, extra_pictures
 from winkler.study.report.figure import ReportFigure, capital, drawn
-from winkler.study.report.headline.shown_contact import shown_contact, shown_point, stressed_contact, stresses_inside
+from winkler.study.report.headline.shown_contact import medium_of, shown_contact, shown_point, stressed_contact
 from winkler.study.report.sweep_figures import clouds, mapped, maps, parts, varied_series
 from winkler.study.report.variation import variation_shows
-from winkler.values.errors import WinklerError
+from winkler.values.errors import InvalidInput, OutsideValidity, WinklerError
 
 __all__ = ["answers_over", "figures_of"]
 
@@ -60,10 +65,30 @@ def _of_method(outcome: Outcome, contact: Contact) -> Iterator[ReportFigure]:
             yield ReportFigure(name, *captions[name], None, missing=re.sub(r"^\w+: ", "", str(error)))
 
 
+def _stresses_inside(found: Any) -> ContactStressSolution | None:
+    """Return the greatest stresses inside homogeneous bodies; None where they are infinite or not known.
+
+    Parameters
+    ----------
+    found
+        A contact, as of `stressed_contact`.
+    """
+    if not isinstance(medium_of(found), HalfSpace):
+        return None
+    try:
+        if isinstance(found, IndentationSolution):
+            return ContactStress(Indentation(found.problem.bed, Depth(float(np.ravel(found.depth)[-1])))).solve()
+        if isinstance(found, EllipticSolution | LineSolution) and np.size(found.peak_pressure) == 1:
+            return ContactStress(found.problem).solve()
+    except (InvalidInput, OutsideValidity):
+        pass
+    return None
+
+
 def _below(outcome: Outcome) -> Iterator[ReportFigure]:
     """Yield the stresses over the depth below an ellipse or a strip, where they are no answer already."""
     point = shown_point(outcome)
-    inside = stresses_inside(stressed_contact(point))
+    inside = _stresses_inside(stressed_contact(point))
     if inside is None or isinstance(point.solution, ContactStressSolution):
         return
     from winkler.plot.normal.below_contact import contact_stress_sheet

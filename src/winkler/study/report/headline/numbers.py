@@ -9,11 +9,10 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.numerics.types import Array
-from winkler.plot.series import name_in_words
 from winkler.study.batch.outcome import Outcome
 from winkler.study.chapters.contents import answer_of
 from winkler.study.report.describe import inputs, settings_text
-from winkler.values.readable import with_unit
+from winkler.values.readable import name_in_words, with_unit
 from winkler.values.vocabulary import Word
 
 __all__ = ["ALIKE", "SoughtNumber", "as_share", "numbers_named", "sought_numbers"]

@@ -13,7 +13,6 @@ from winkler.study.chapters.contents import answer_of
 from winkler.study.report.describe import settings_text
 from winkler.study.report.figure import capital
 from winkler.study.report.headline.advice import Doubt, worst_doubt
-from winkler.study.report.headline.declared import WORDS, numbers_of_contact
 from winkler.study.report.headline.elastic_state import ElasticState, elastic_state
 from winkler.study.report.headline.numbers import SoughtNumber, as_share, sought_numbers
 from winkler.study.report.headline.shown_contact import (
@@ -22,6 +21,7 @@ from winkler.study.report.headline.shown_contact import (
     shown_contact,
     shown_point,
 )
+from winkler.study.report.headline.summary import WORDS, numbers_of_contact
 from winkler.study.report.markup import badge, safe, with_fixed_units
 from winkler.study.report.mathml import symbol
 from winkler.values.readable import with_readable_numbers, with_unit

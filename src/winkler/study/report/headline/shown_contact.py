@@ -4,24 +4,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from winkler.loading.loads import Depth
-from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array
-from winkler.plot.method import Contact
-from winkler.problems.line.indentation import LineSolution
-from winkler.problems.normal.elliptic import EllipticSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.problems.subsurface.contact_stress import ContactStress, ContactStressSolution
 from winkler.study.batch.outcome import Outcome, SolvedPoint
 from winkler.study.chapters.answer import PicturedContact as Shows
 from winkler.study.chapters.contents import answer_of
-from winkler.values.errors import InvalidInput, OutsideValidity
 
-__all__ = ["medium_of", "most_pressed", "shown_contact", "shown_point", "stressed_contact", "stresses_inside"]
+if TYPE_CHECKING:
+    from winkler.plot.method import Contact
+
+__all__ = ["medium_of", "most_pressed", "shown_contact", "shown_point", "stressed_contact"]
 
 
 def shown_point(outcome: Outcome) -> SolvedPoint:
@@ -80,7 +77,7 @@ def stressed_contact(point: SolvedPoint) -> Any:
         return contact
     found = point.each[-1]
     inside = getattr(found, "contact", None)
-    return inside if isinstance(inside, EllipticSolution | LineSolution) else found
+    return inside if hasattr(inside, "greatest_stress") else found
 
 
 def medium_of(found: Any) -> Any:
@@ -94,23 +91,3 @@ def medium_of(found: Any) -> Any:
     problem = getattr(found, "problem", found)
     own = getattr(problem, "medium", None)
     return getattr(getattr(problem, "bed", None), "medium", None) if own is None else own
-
-
-def stresses_inside(found: Any) -> ContactStressSolution | None:
-    """Return the greatest stresses inside homogeneous bodies; None where they are infinite or not known.
-
-    Parameters
-    ----------
-    found
-        A contact, as of `stressed_contact`.
-    """
-    if not isinstance(medium_of(found), HalfSpace):
-        return None
-    try:
-        if isinstance(found, IndentationSolution):
-            return ContactStress(Indentation(found.problem.bed, Depth(float(np.ravel(found.depth)[-1])))).solve()
-        if isinstance(found, EllipticSolution | LineSolution) and np.size(found.peak_pressure) == 1:
-            return ContactStress(found.problem).solve()
-    except (InvalidInput, OutsideValidity):
-        pass
-    return None
