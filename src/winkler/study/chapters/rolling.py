@@ -150,7 +150,7 @@ ROLLING = Chapter(
             "winkler.problems.rolling.start:RollingStart",
             question="How do the creep forces grow when a round contact begins to roll?",
             page="chapters/rolling.md#from-rest-to-rolling",
-            en="starts rolling from rest transient creep wheel begins to roll build-up of creep force start-up distance to steady state locomotive starts",
+            en="skidding skids starts rolling from rest transient creep wheel begins to roll build-up of creep force start-up distance to steady state locomotive starts",
             de="anrollen anfahren rad aus der ruhe instationär",
             fr="démarrage roulement départ arrêté transitoire roue",
             headline=("shear_force", "stick_share", "distance"),
