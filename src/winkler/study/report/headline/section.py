@@ -167,7 +167,8 @@ def _sentence(outcome: Outcome, numbers: tuple[SoughtNumber, ...]) -> str:
             where += f"and {sought.end} "
     elif outcome.study.sweep and len(outcome.solved) > 1:
         all_points = f" at all {len(outcome.solved)} points"
-    clause = "" if sought.is_range or sought.ends_at_zero else _clause(outcome, record.says.get(sought.name, ""))
+    whole = sought.is_range or sought.ends_at_zero or outcome.study.sweep  # of a sweep other numbers may vary
+    clause = "" if whole else _clause(outcome, record.says.get(sought.name, ""))
     comma = "," if under and "," in clause else ""
     return capital(f"{where}{sought.sentence(record.event, clause)}{comma}{under}{all_points}.")
 
