@@ -277,7 +277,7 @@ def test_metals_that_yield_bear_their_strength_and_below_it_the_elastic_stress()
     for kind, power in (("plastic_indentation", 1.0 / 3.0), ("line_plastic_indentation", 0.5)):
         row = summary_of(kind)["von_mises"]
         assert row.number == 700e6
-        assert "stresses that stay after unloading are not computed" in row.remark
+        assert "residual stresses are not computed" in row.remark
         assert "times this" in summary_of(kind)["yield_force"].remark
         problem = outcome_of(kind).points[0].problem
         half = dataclasses.replace(problem, path=type(problem.path)([0.0, 0.5 * problem.yield_force]))

@@ -45,7 +45,7 @@ IMPACT = Chapter(
             lever="10 mm",
             picture=Caption("impact", "The impact", "Forces, velocities, contact and energies over time."),
             curves=(("time", "force"), ("time", "shear_force"), ("time", "angular_velocity")),
-            contact_shown="the contact at its greatest depth, its springs along the surface left out",
+            contact_shown="the contact at its greatest depth, without friction",
             formulas=impact_formulas,
         ),
         "adhesive_impact": answer(

@@ -31,9 +31,9 @@ UPDATED_SPRINGS = Equation(
     "The worn profile is transformed anew after each step; the worn depth changes the plane profile by",
     r"\Delta g(x) = \Delta f(0) + x\int_0^x \frac{\Delta f'(r)}{\sqrt{x^2-r^2}}\,\mathrm{d}r",
 )
-CORE = Equation("The core that always sticks ends at c", r"G^*\,U = \mu\,E^*\,(d-g(c))")
+CORE = Equation("The stick zone ends at c", r"G^*\,U = \mu\,E^*\,(d-g(c))")
 LIMIT = Equation(
-    "and in the end nothing else bears: the worn surface is that which the core's pressure leaves the other one",
+    "and in the end it carries all of the load: the worn surface is that which its pressure leaves the other one",
     r"f_\infty(r) = d-u(r) = \frac{2}{\pi}\left(\int_0^c \frac{g(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x "
     r"+ d\,\arccos\frac{c}{r}\right)",
 )
@@ -89,7 +89,7 @@ WEAR = Chapter(
             picture=Caption(
                 "fretting",
                 "Worn by fretting",
-                "Profiles, worn depth and pressure after some of the cycles; contact, core, volume and load over them.",
+                "Profiles, worn depth and pressure after some of the cycles; contact, stick zone, volume and load over them.",
             ),
             curves=(("cycles", "worn_volume"), ("cycles", "stick_radius"), ("cycles", "force"), ("cycles", "depth")),
             pictured=PicturedContact.NONE,
@@ -154,7 +154,7 @@ WEAR = Chapter(
             picture=Caption(
                 "limit",
                 "Where wear ends",
-                "The profile in the end, what was worn off, and the pressure, which only the core bears then.",
+                "The profile in the end, what was worn off, and the pressure, which the stick zone alone carries then.",
             ),
             pictured=PicturedContact.NONE,
             formulas=followed_by(normal_formulas, CORE, LIMIT),

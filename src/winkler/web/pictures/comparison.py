@@ -68,7 +68,7 @@ def _differences(a: dict[str, Any], b: dict[str, Any]) -> Iterator[str]:
     before, after = (dict(_leaves(study, "")) for study in (a, b))
     for key in dict.fromkeys((*before, *after)):
         if before.get(key) != after.get(key) and key.partition(".")[0] not in NO_INPUTS:
-            old, new = (field_text(one[key]) if key in one else "left out" for one in (before, after))
+            old, new = (field_text(one[key]) if key in one else "not given" for one in (before, after))
             if key.endswith(".kind"):
                 key, old, new = key.removesuffix(".kind"), old.replace("_", " "), new.replace("_", " ")
             yield f"{key_in_words(key)} {old} → {new}"

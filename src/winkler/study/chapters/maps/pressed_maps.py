@@ -80,7 +80,7 @@ PRESSED_MAPS = Chapter(
             picture=Caption(
                 "leak",
                 "What leaks through the gap",
-                "The gap under the last load with the flow along x and the narrowest place of the widest way, the "
+                "The gap under the last load with the flow along x and the narrowest place of the widest path, the "
                 "pressure of the fluid, and the distribution of the gap; of many loads also leak rate and flow "
                 "factors.",
             ),

@@ -208,7 +208,7 @@ def _yielded(solution: Any, problem: Any) -> ElasticState | None:
     strength, hardens = part.solid.strength, type(part.solid).__name__ != "Elastic"
     under = FRICTIONLESS
     if times >= 1.0:
-        under = f"{'at least ' * hardens}the strength; stresses that stay after unloading are not computed"
+        under = f"where it yields{' and hardens: this or more' * hardens}; residual stresses are not computed"
     stress = min(times**power, 1.0) * strength
     return ElasticState(math.nan, stress, math.nan, part.name, "", strength, onset, unit, under, (), greatest)
 
