@@ -15,6 +15,7 @@ import tomli_w
 
 import winkler as wk
 from winkler.cli import main
+from winkler.media.interior.map_peak import greatest_by_depths
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.normal.elliptic import EllipticSolution
 from winkler.problems.normal.indentation import IndentationSolution
@@ -23,7 +24,8 @@ from winkler.study.batch.run import run
 from winkler.study.chapters.contents import answers
 from winkler.study.language.explain import example_study
 from winkler.study.language.reading import parse_study
-from winkler.study.report.headline.elastic_state import elastic_state, stressed_contact
+from winkler.study.report.figures import figures_of
+from winkler.study.report.headline.elastic_state import MEASURES, elastic_state, stressed_contact
 from winkler.study.report.headline.shown_contact import shown_contact, shown_point
 from winkler.study.report.headline.summary import CALLED, contact_summary
 from winkler.values.units import quantity
@@ -336,3 +338,17 @@ def test_json_has_the_rows_of_the_summary(tmp_path, capsys):
     assert rows == {key: row.table() for key, row in summary_of("surface_rolling").items()}
     assert rows["lateral_force"]["value"] == 0.0
     assert rows["von_mises"]["unit"] == "Pa"
+
+
+def test_stresses_below_a_map_are_drawn_over_the_depth():
+    """The greatest of each kind at each depth, as `stresses_at_depth` has them in the middles of the pixels."""
+    outcome = outcome_of("surface_contact")
+    figure = next(one for one in figures_of(outcome) if one.name == "depths")
+    assert "on this grid, without friction" in figure.sentence
+    solution = shown_point(outcome).solution
+    part = solution.problem.medium.first
+    below = greatest_by_depths(solution.surface_load.field(part.poisson), MEASURES)
+    for z, values in zip(below.depths, below.values.T, strict=True):
+        fields = solution.stresses_at_depth(float(z))
+        expected = [np.max(measured(fields, key)) for key in ("von_mises", "max_shear", "orthogonal_shear")]
+        assert values == pytest.approx(expected, rel=1e-6)

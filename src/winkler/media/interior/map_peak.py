@@ -7,6 +7,7 @@ the greatest is climbed to.  Stresses on the surface are those in the middles of
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -16,7 +17,7 @@ from winkler.media.interior.periodic_map_field import PeriodicMapField
 from winkler.media.interior.tensor import Measure, Tensor, von_mises
 from winkler.numerics.types import Array
 
-__all__ = ["greatest_below_map", "greatest_by_depths"]
+__all__ = ["DeepStresses", "greatest_below_map", "greatest_by_depths"]
 
 SHALLOWEST = 0.5
 """Smallest depth below the surface that is searched, in pixels; nearer to it the steps between pixels show."""
@@ -66,8 +67,26 @@ def greatest_below_map(field: MapField | PeriodicMapField, measure: Measure = vo
     return max(surface, _climbed(field, best, least, LAST_STEP, measure), key=lambda spot: spot.value)
 
 
-def greatest_by_depths(field: MapField | PeriodicMapField, measures: Sequence[Measure]) -> tuple[StressSpot, ...]:
-    """Return the greatest stresses of several kinds in the middles of pixels, z >= 0, which costs transforms alone.
+class DeepStresses(NamedTuple):
+    """Stresses of several kinds below a map.
+
+    Parameters
+    ----------
+    depths : ndarray, (n,)
+        From the surface on [m].
+    values : ndarray, (kinds, n)
+        The greatest of each kind at each depth [Pa].
+    greatest
+        The greatest of each kind, and its place.
+    """
+
+    depths: Array
+    values: Array
+    greatest: tuple[StressSpot, ...]
+
+
+def greatest_by_depths(field: MapField | PeriodicMapField, measures: Sequence[Measure]) -> DeepStresses:
+    """Return the greatest stresses of several kinds in the middles of pixels, which costs transforms alone.
 
     Parameters
     ----------
@@ -82,18 +101,18 @@ def greatest_by_depths(field: MapField | PeriodicMapField, measures: Sequence[Me
         stress = Tensor(*pixels.at_depth(z)[:6])
         return [_best_of(pixels, measure(stress), z) for measure in measures]
 
-    depths = _depths(field)
-    rows = [bests(z) for z in depths]
+    depths = [0.0, *_depths(field)]
+    columns = list(zip(*(bests(z) for z in depths), strict=True))
     found = []
-    for place, (surface, spots) in enumerate(zip(bests(0.0), zip(*rows, strict=True), strict=True)):
-        top = max(range(len(depths)), key=lambda row: spots[row].value)
-        if 0 < top < len(depths) - 1:  # a parabola over the logarithm of the depth
+    for place, spots in enumerate(columns):
+        top = max(range(1, len(depths)), key=lambda row: spots[row].value)
+        if 1 < top < len(depths) - 1:  # a parabola over the logarithm of the depth
             low, middle, high = (spots[row].value for row in (top - 1, top, top + 1))
             bend = low - 2.0 * middle + high
             z = depths[top] * DEPTH_STEP ** (0.5 * (low - high) / bend if bend < 0.0 else 0.0)
             spots = (*spots, bests(float(z), MEANS_PER_CLIMB)[place])
-        found.append(max(surface, *spots, key=lambda spot: spot.value))
-    return tuple(found)
+        found.append(max(spots, key=lambda spot: spot.value))
+    return DeepStresses(np.array(depths), np.array([[spot.value for spot in spots] for spots in columns]), tuple(found))
 
 
 def _depths(field: MapField | PeriodicMapField) -> list[float]:

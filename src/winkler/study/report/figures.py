@@ -13,13 +13,14 @@ from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array
 from winkler.plot.families import bar_sheet, family_sheet
 from winkler.plot.method import Contact, method_sheet, pictures_of
+from winkler.plot.panel import Sheet
 from winkler.plot.series import Series, name_in_words
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.normal.elliptic import EllipticSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.subsurface.contact_stress import ContactStress, ContactStressSolution
-from winkler.study.batch.outcome import Outcome
+from winkler.study.batch.outcome import Outcome, SolvedPoint
 from winkler.study.chapters.answer import ALONG, Answer
 from winkler.study.chapters.answer import PicturedContact as Shows
 from winkler.study.chapters.contents import answer_of
@@ -29,6 +30,7 @@ from winkler.study.language.study import Axis, Study
 from winkler.study.report.describe import content_label, setting_text, settings_text
 from winkler.study.report.extra_pictures import ExtraPicture, extra_pictures
 from winkler.study.report.figure import ReportFigure, capital, drawn
+from winkler.study.report.headline.elastic_state import MEASURES, MOST_PIXELS, pressed_map
 from winkler.study.report.headline.shown_contact import medium_of, shown_contact, shown_point, stressed_contact
 from winkler.study.report.sweep_figures import clouds, mapped, maps, parts, varied_series
 from winkler.study.report.variation import variation_shows
@@ -86,18 +88,42 @@ def _stresses_inside(found: Any) -> ContactStressSolution | None:
 
 
 def _below(outcome: Outcome) -> Iterator[ReportFigure]:
-    """Yield the stresses over the depth below an ellipse or a strip, where they are no answer already."""
+    """Yield the stresses over the depth below a contact, where they are no answer already."""
     point = shown_point(outcome)
-    inside = _stresses_inside(stressed_contact(point))
-    if inside is None or isinstance(point.solution, ContactStressSolution):
+    if isinstance(point.solution, ContactStressSolution):
         return
-    from winkler.plot.normal.below_contact import contact_stress_sheet
-
+    found = _stresses_over_depth(point)
+    if found is None:
+        return
     title, sentence = captions_of(sticks=False)["depths"]
+    sheet, under = found
+    sentence = f"The greatest stress of each kind at each depth, {under}." if under else sentence
     places = [settings_text(outcome.study, point.settings)] if outcome.study.sweep else []
     places += [f"load {len(point.each)} of {len(point.each)}"] if len(point.each) > 1 else []
     where = f" Shown is {', '.join(places)}." if places else ""
-    yield drawn("depths", title, f"{sentence}{where}", contact_stress_sheet(inside))
+    yield drawn("depths", title, f"{sentence}{where}", sheet)
+
+
+def _stresses_over_depth(point: SolvedPoint) -> tuple[Sheet, str] | None:
+    """Return the greatest stresses at each depth below a contact or a map, and of which; None if they are not known."""
+    from winkler.plot.normal.below_contact import contact_stress_sheet, depth_sheet
+
+    inside = _stresses_inside(stressed_contact(point))
+    if inside is not None:
+        return contact_stress_sheet(inside), ""
+    found = pressed_map(point)
+    if found is None or not isinstance(found[0], HalfSpace) or found[1].pressure.size > MOST_PIXELS:
+        return None
+    from winkler.media.interior.map_peak import greatest_by_depths
+    from winkler.problems.normal.strong_parts import solid_parts
+
+    medium, load, under = found
+    part = solid_parts(medium)[0]
+    below = greatest_by_depths((load if part.first else load.reversed()).field(part.solid.poisson), MEASURES)
+    names = [measure.__name__ for measure in MEASURES]
+    greatest = {name: (spot.value, spot.z) for name, spot in zip(names, below.greatest, strict=True)}
+    tractions = "with its tractions" if np.any(load.loads[1:]) else "without friction"
+    return depth_sheet(below.depths, dict(zip(names, below.values, strict=True)), greatest), f"{under}, {tractions}"
 
 
 # ------------------------------------------------------------------------------------- answers over what was varied

@@ -26,7 +26,7 @@ from winkler.study.report.headline.shown_contact import medium_of, stressed_cont
 from winkler.values.errors import OutsideValidity, WinklerError
 from winkler.values.readable import with_unit
 
-__all__ = ["ElasticState", "elastic_state"]
+__all__ = ["MEASURES", "MOST_PIXELS", "ElasticState", "elastic_state", "pressed_map"]
 
 SAME_WIDTH = 1e-6
 """Relative difference of half-widths up to which a strip is the elastic one."""
@@ -321,7 +321,7 @@ def _roller(solution: Any, problem: Any) -> ElasticState | None:
 
 def _map(point: SolvedPoint) -> ElasticState | None:
     """Return the stresses below a height map, or below the most pressed patch of two profiles, with their tractions."""
-    found = _pressed_map(point)
+    found = pressed_map(point)
     if found is None or not isinstance(found[0], HalfSpace):
         return None
     from winkler.media.interior.map_peak import greatest_by_depths
@@ -335,7 +335,7 @@ def _map(point: SolvedPoint) -> ElasticState | None:
     def on_grid(part: StrongPart) -> dict[tensor.Measure, Deep]:
         acting = load if part.first else load.reversed()
         field = acting.field(part.solid.poisson)
-        spots = greatest_by_depths(field, MEASURES)
+        spots = greatest_by_depths(field, MEASURES).greatest
         found = {measure: Deep(spot.value, spot.z) for measure, spot in zip(MEASURES, spots, strict=True)}
         if part.solid.strength < math.inf:  # between the pixels, as the statement on yield
             spot = greatest_stress(acting, part.solid)
@@ -352,8 +352,14 @@ def _map(point: SolvedPoint) -> ElasticState | None:
     return _state(solid_parts(medium), find, float(np.max(load.pressure)), "N", f"{under}, {tractions}")[1]
 
 
-def _pressed_map(point: SolvedPoint) -> tuple[Any, Any, str] | None:
-    """Return the bodies, what acts on the first of them, and of which map or patch; None where no map is pressed."""
+def pressed_map(point: SolvedPoint) -> tuple[Any, Any, str] | None:
+    """Return the bodies, what acts on the first of them, and of which map or patch; None where no map is pressed.
+
+    Parameters
+    ----------
+    point
+        A solved point.
+    """
     for holder in (point.solution, point.each[-1], getattr(point.each[-1], "contact", None)):
         patches = getattr(holder, "patches", ())
         if isinstance(patches, tuple) and patches:
