@@ -98,7 +98,9 @@ def test_the_page_begins_with_examples(fresh):
     assert page.locator(".front-questions .front-card").count() == 8
     words = page.locator(".study-side").inner_text()
     for slot in (
+        "bed: shape and bodies",
         "profile: what presses",
+        "medium: the bodies",
         "first: into what",
         "load: how hard",
         "second: of what the pressing body is made",

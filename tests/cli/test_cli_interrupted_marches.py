@@ -68,7 +68,7 @@ def test_the_report_draws_what_was_reached_and_says_so(name, tmp_path, monkeypat
     (tmp_path / "study.toml").write_text(tomli_w.dumps(example_study(name)), encoding="utf-8")
     assert main(["run", "study.toml", "--output", "out", "--quiet"]) == 130
     report = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
-    assert "Where a march ended early" in report
+    assert "Where the calculation ended early" in report
     assert f"After {SEVEN[name]} of " in report
     assert any((tmp_path / "out" / "figures").iterdir())
 

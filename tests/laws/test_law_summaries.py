@@ -2,29 +2,50 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
+import json
 import math
 import re
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 import tomli_w
 
+import winkler as wk
+from winkler.cli import main
+from winkler.media.interior.map_peak import greatest_by_depths
+from winkler.problems.line.indentation import LineSolution
+from winkler.problems.normal.elliptic import EllipticSolution
+from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.subsurface.contact_stress import ContactStress
 from winkler.study.batch.run import run
 from winkler.study.chapters.contents import answers
 from winkler.study.language.explain import example_study
 from winkler.study.language.reading import parse_study
-from winkler.study.report.headline.declared import CALLED
-from winkler.study.report.headline.elastic_state import elastic_state, stressed_contact
+from winkler.study.report.figures import figures_of
+from winkler.study.report.headline.elastic_state import MEASURES, elastic_state, stressed_contact
 from winkler.study.report.headline.shown_contact import shown_contact, shown_point
-from winkler.study.report.headline.summary import contact_summary
+from winkler.study.report.headline.summary import CALLED, contact_summary
 from winkler.values.units import quantity
 
 SLOW_EXAMPLES = {"viscoelastic_impact"}
 KINDS = [pytest.param(kind, marks=[pytest.mark.slow] * (kind in SLOW_EXAMPLES)) for kind in answers()]
-STRESSES = {"max_shear", "orthogonal_shear"}
+WITHOUT_FORCES = {"held_contacts", "spot_cluster", "band_heating"}
+STRESSES = {"von_mises", "max_shear", "orthogonal_shear"}
+MAPS = {
+    "surface_contact", "surface_conduction", "true_area", "seal", "thermal_joint", "surface_constriction", "map_stress",
+    "profile_pair", "profile_pair_rolling", "surface_tangential", "joint_stiffness", "surface_rolling",
+    "surface_rolling_start", "surface_friction_heating",
+}  # fmt: skip
+FOLLOW = {*MAPS, "viscoelastic_indentation", "plastic_indentation", "line_plastic_indentation"}
 SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−µΩ", "0123456789--uΩ")
+FORCES, MODULI = r"[kMGmµ]?N(?:/m|/mm)?", r"[kMG]?Pa"
+MOVED, KEPT = 1e-9, 1e-2
+"""By which part inputs are moved, and to which part each number is then the same."""
+RESIDUALS = {"strip_error", "penetration", "misfit", "imbalance"}
+"""What a solver leaves, which is rounding by its nature."""
 DIGITS = 5e-3
 """Four digits are shown, of shares three."""
 
@@ -32,6 +53,23 @@ DIGITS = 5e-3
 @functools.cache
 def outcome_of(kind):
     return run(parse_study(tomli_w.dumps({"title": "x", **example_study(kind)})))
+
+
+@functools.cache
+def moved_outcomes(kind):
+    """Return what comes out where all forces, or all moduli, of the example are greater in the ninth digit."""
+    study = example_study(kind)
+    changed = (moved(study, unit) for unit in (FORCES, MODULI))
+    return [run(parse_study(tomli_w.dumps({"title": "x", **one}))) for one in changed if one != study]
+
+
+def moved(content, unit):
+    if isinstance(content, dict):
+        return {key: moved(one, unit) for key, one in content.items()}
+    if isinstance(content, list):
+        return [moved(one, unit) for one in content]
+    found = re.fullmatch(rf"([-\d.e]+) ({unit})", content) if isinstance(content, str) else None
+    return f"{float(found[1]) * (1.0 + MOVED)!r} {found[2]}" if found else content
 
 
 @functools.cache
@@ -55,7 +93,7 @@ def sources(kind):
     """Return where the numbers of a row may come from: the answer, its contact, that of the pictures."""
     point = shown_point(outcome_of(kind))
     contacts = (getattr(point.each[-1], "contact", None), shown_contact(point))
-    named = [(point.answers, point.problem), *((vars_of(one), getattr(one, "problem", None)) for one in contacts)]
+    named = [(point.readable, point.problem), *((vars_of(one), getattr(one, "problem", None)) for one in contacts)]
     return [(numbers, problem) for numbers, problem in named if numbers]
 
 
@@ -95,12 +133,56 @@ def candidates(kind, key):
             elif key == "leak_per_width" and "leak_rate" in numbers:
                 yield numbers["leak_rate"] / y
     state = elastic_state(point)
-    if key in ("von_mises", "peak_pressure") and state is not None:
-        yield np.array([getattr(state, key)])
-    elif key == "yield_force" and state is not None:
+    if state is not None and key == "peak_pressure":
+        yield np.array([state.peak_pressure])
+    elif state is not None and key == "yield_force":
         yield np.array([state.yield_load])
-    elif key in STRESSES and state is not None:
-        yield np.array([getattr(ContactStress(stressed_contact(point).problem).solve(), key)])
+
+
+def other_stress(kind, key):
+    """Return a stress that the summary states by another way, and how far both may be apart."""
+    if kind in FOLLOW:
+        return None, None
+    point = shown_point(outcome_of(kind))
+    found, problem = stressed_contact(point), point.problem
+    bed, last = getattr(getattr(found, "problem", problem), "bed", None), getattr(found, "last", found)
+    if hasattr(last, "middle_pressure"):  # Johnson, sec. 4.2: p0, with 0.786 a and 0.5 a, of cylinders; nu = 0.3
+        return {"von_mises": 0.5576, "max_shear": 0.3003, "orthogonal_shear": 0.25}[key] * last.peak_pressure, 1e-3
+    if isinstance(found, EllipticSolution | IndentationSolution | LineSolution):
+        return getattr(ContactStress(found.problem).solve(), key), 1e-6
+    if hasattr(found, "longitudinal_semi_axis"):  # the principal axes of an ellipse on half-spaces, by its own pressure
+        return greatest_below_ellipse(found, key), 1e-3
+    if isinstance(bed, wk.LineFoundation):
+        force = getattr(found, "force_per_length", None)
+        load = wk.HalfWidth(np.max(found.half_width)) if force is None else wk.LineForce(float(np.max(force)))
+        return getattr(ContactStress(wk.LineIndentation(bed, load)).solve(), key), 1e-6
+    if hasattr(found, "strip_peaks") or hasattr(found, "closure_pressure"):
+        reach = np.max(np.abs(found.edges)) if hasattr(found, "edges") else found.half_width
+        x, z = np.meshgrid(reach * np.linspace(-1.2, 1.2, 301), reach * np.linspace(0.01, 2.0, 300))
+        return np.max(measured(found.stresses(x, z), key)), 2e-3
+    return None, None
+
+
+def greatest_below_ellipse(found, key):
+    problem = found.problem
+    bodies = problem.bodies if hasattr(problem, "bodies") else problem.contact.bodies
+    force = 2.0 / 3.0 * math.pi * found.longitudinal_semi_axis * found.lateral_semi_axis * found.peak_pressure
+    contact = wk.EllipticIndentation(bodies, problem.medium, wk.Force(float(force)))
+    return getattr(ContactStress(contact).solve(), key)
+
+
+def measured(fields, key):
+    """Return a stress of a kind from its components, tension positive; of plane strain without two of the shears."""
+    none = np.zeros_like(fields.xx_stress)
+    xy, yz = getattr(fields, "xy_stress", none), getattr(fields, "yz_stress", none)
+    xx, yy, zz, xz = fields.xx_stress, fields.yy_stress, fields.zz_stress, fields.xz_stress
+    if key == "orthogonal_shear":
+        return np.hypot(xz, yz)
+    if key == "von_mises":
+        return np.sqrt(0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) + 3.0 * (xy**2 + xz**2 + yz**2))
+    rows = np.stack([np.stack(row, axis=-1) for row in ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))], axis=-2)
+    principal = np.linalg.eigvalsh(rows)
+    return 0.5 * (principal[..., 2] - principal[..., 0])
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -118,10 +200,91 @@ def test_the_summary_has_the_numbers_that_are_asked_for(kind):
 @pytest.mark.parametrize("kind", KINDS)
 def test_each_row_is_a_number_of_the_solution_with_its_unit(kind):
     for key, row in summary_of(kind).items():
+        if key in STRESSES and key not in outcome_of(kind).answers:
+            continue
         ends = [one[[-1, int(np.nanargmax(np.abs(one)))]] for one in candidates(kind, key) if np.isfinite(one).any()]
         assert any(row.number == pytest.approx(one, rel=1e-9) for end in ends for one in end), (key, row, ends)
         if " … " not in row.text and math.isfinite(row.number):
             assert read(row.text, row.unit) == pytest.approx(row.number, rel=DIGITS), (key, row.text)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_stresses_are_those_that_another_way_finds(kind):
+    """Below round contacts, ellipses, cylinders, rollers, strips and waves; maps, metals, relaxing bodies follow."""
+    for key in STRESSES & set(summary_of(kind)) - set(outcome_of(kind).answers):
+        other, apart = other_stress(kind, key)
+        assert (other is None) == (kind in FOLLOW)
+        if other is not None:
+            assert summary_of(kind)[key].number == pytest.approx(other, rel=apart), key
+
+
+def pressed_map(kind):
+    """Return the medium and the loads of the height map, or of the most pressed patch, of an example."""
+    solution = shown_point(outcome_of(kind)).solution
+    patches = getattr(solution, "patches", ())
+    if isinstance(patches, tuple) and patches:
+        patch = max(patches, key=lambda one: np.max(one.surface_load.pressure))
+        return getattr(patch, "patch", patch).medium, [patch.surface_load]
+    if not hasattr(solution, "surface_load"):
+        solution = shown_point(outcome_of(kind)).each[-1].contact
+    loads = [solution.surface_load]
+    for one in getattr(solution, "heaviest", ()):
+        lengths = solution.problem.topography.lengths
+        periodic = solution.problem.topography.periodic
+        loads.append(wk.SurfaceLoad(one.pressure, lengths, *one.traction, periodic=periodic))
+    medium = getattr(solution.problem, "medium", None) or wk.HalfSpace(solution.problem.solid)
+    return medium, loads
+
+
+@pytest.mark.parametrize("kind", sorted(MAPS))
+def test_stresses_of_maps_are_those_of_a_search_between_their_pixels(kind):
+    """By `MapStress`, which climbs from place to place, where the summary compares depths; of all heavy states."""
+    medium, loads = pressed_map(kind)
+    found = [wk.MapStress(load, medium.first).solve().von_mises for load in loads]
+    assert summary_of(kind)["von_mises"].number == pytest.approx(max(found), rel=0.02)
+
+
+def test_stresses_of_a_ball_on_a_map_are_those_of_hertz():
+    """A ball of 10 mm on pixels of 8 um, of which the contact is 37 wide."""
+    x = (np.arange(64) - 31.5) * 8e-6
+    heights = -(x[:, None] ** 2 + x[None, :] ** 2) / 20e-3
+    steel = wk.HalfSpace(wk.Elastic(210e9, 0.3, strength=2e9))
+    mapped = wk.SurfaceContact(wk.Topography(heights, [512e-6, 512e-6]), steel, wk.Force(100.0)).solve()
+    point = SimpleNamespace(problem=mapped.problem, solution=mapped, each=(mapped,))
+    state = elastic_state.__wrapped__(point)
+    ball = wk.ContactStress(wk.Indentation(wk.Foundation(wk.Paraboloid(10e-3), steel), wk.Force(100.0))).solve()
+    assert state.von_mises == pytest.approx(ball.von_mises, rel=5e-3)
+    assert state.shears[0].value == pytest.approx(ball.max_shear, rel=5e-3)
+    assert state.shears[1].value == pytest.approx(ball.orthogonal_shear, rel=2e-2)
+    assert state.depth == pytest.approx(ball.von_mises_depth, rel=0.03)
+    assert state.share == pytest.approx(ball.von_mises / 2e9, rel=5e-3)
+
+
+def test_bodies_that_relax_slowly_have_the_stresses_of_hertz():
+    """Stresses below given pressures depend on Poisson's ratio alone; at the greatest force of a blow of depth."""
+    solid = wk.StandardSolid(1e6, 1e6, 1e9, 0.4)
+    path = wk.Path([0.0, 1.0, 2.0], wk.Depth([0.0, 1e-5, 0.0]))
+    bed = wk.Foundation(wk.Paraboloid(10e-3), wk.ViscoelasticHalfSpace(solid))
+    found = wk.ViscoelasticIndentation(bed, path).solve()
+    state = elastic_state.__wrapped__(SimpleNamespace(problem=found.problem, solution=found, each=(found,)))
+    elastic = wk.Foundation(wk.Paraboloid(10e-3), wk.HalfSpace(wk.Elastic(2.0 * 2e6 * 1.4, 0.4)))
+    ball = wk.ContactStress(wk.Indentation(elastic, wk.Force(float(np.max(found.force))))).solve()
+    assert state.von_mises == pytest.approx(ball.von_mises, rel=2e-3)
+    assert state.shears[0].value == pytest.approx(ball.max_shear, rel=2e-3)
+    assert state.depth == pytest.approx(ball.von_mises_depth, rel=0.01)
+
+
+def test_metals_that_yield_bear_their_strength_and_below_it_the_elastic_stress():
+    """Of a ball the stress is the cube root of the load, of a cylinder its square root, up to the first yield."""
+    for kind, power in (("plastic_indentation", 1.0 / 3.0), ("line_plastic_indentation", 0.5)):
+        row = summary_of(kind)["von_mises"]
+        assert row.number == 700e6
+        assert "residual stresses are not computed" in row.remark
+        assert "times this" in summary_of(kind)["yield_force"].remark
+        problem = outcome_of(kind).points[0].problem
+        half = dataclasses.replace(problem, path=type(problem.path)([0.0, 0.5 * problem.yield_force]))
+        state = elastic_state.__wrapped__(SimpleNamespace(problem=half, solution=half.solve(), each=(half.solve(),)))
+        assert state.von_mises == pytest.approx(700e6 * 0.5**power, rel=1e-9)
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -144,3 +307,48 @@ def test_the_rows_keep_physical_bounds(kind):
     assert 0.0 <= number.get("contact_share", 0.0) <= 1.0
     for name in ("area", "radius", "half_width", "loss_per_cycle", "loss_factor", "leak_per_width", "peak_pressure"):
         assert number.get(name, 0.0) >= 0.0, name
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_no_number_that_is_shown_is_rounding(kind):
+    """What is more than rounding moves in the digits in which the inputs move: in the ninth, not in the second."""
+    point, others = outcome_of(kind).points[0], [outcome.points[0] for outcome in moved_outcomes(kind)]
+    assert others or kind in WITHOUT_FORCES, "nothing was moved"
+    for name, numbers in point.readable.items():
+        for other in others if name not in RESIDUALS else ():
+            assert other.readable[name] == pytest.approx(numbers, rel=KEPT, abs=0.0, nan_ok=True), name
+
+
+def test_rounding_is_kept_in_files_and_named_where_it_is():
+    """The lateral force of a wheel that rolls straight on is some nN of 100 N: zero for readers, kept in files."""
+    outcome = outcome_of("surface_rolling")
+    kept = {column.name: column.content for column in outcome.table()}["lateral_force"]
+    shown = {column.name: column.content for column in outcome.readable_table()}["lateral_force"]
+    assert 0.0 < np.max(np.abs(kept)) < 1e-6
+    assert np.all(shown == 0.0)
+    assert summary_of("surface_rolling")["longitudinal_force"].number == outcome.answer("longitudinal_force")[-1]
+    assert "nN" not in " ".join(row.text for row in summary_of("surface_rolling").values())
+
+
+def test_json_has_the_rows_of_the_summary(tmp_path, capsys):
+    study = tmp_path / "ball.toml"
+    study.write_text(tomli_w.dumps({"title": "x", **example_study("surface_rolling")}), encoding="utf-8")
+    assert main(["run", str(study), "--json"]) == 0
+    rows = {row["key"]: row for row in json.loads(capsys.readouterr().out)["summary"]}
+    assert rows == {key: row.table() for key, row in summary_of("surface_rolling").items()}
+    assert rows["lateral_force"]["value"] == 0.0
+    assert rows["von_mises"]["unit"] == "Pa"
+
+
+def test_stresses_below_a_map_are_drawn_over_the_depth():
+    """The greatest of each kind at each depth, as `stresses_at_depth` has them in the middles of the pixels."""
+    outcome = outcome_of("surface_contact")
+    figure = next(one for one in figures_of(outcome) if one.name == "depths")
+    assert "on this grid, without friction" in figure.sentence
+    solution = shown_point(outcome).solution
+    part = solution.problem.medium.first
+    below = greatest_by_depths(solution.surface_load.field(part.poisson), MEASURES)
+    for z, values in zip(below.depths, below.values.T, strict=True):
+        fields = solution.stresses_at_depth(float(z))
+        expected = [np.max(measured(fields, key)) for key in ("von_mises", "max_shear", "orthogonal_shear")]
+        assert values == pytest.approx(expected, rel=1e-6)

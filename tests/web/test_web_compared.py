@@ -51,7 +51,7 @@ def test_other_bodies_and_nothing_in_common():
     a = (solved()[0], (NamedNumber("depth", "d", "m", 0.0), NamedNumber("<b>", "", "", 1.0)))
     b = (solved(problem__bed__medium__second={"kind": "rigid"})[0], (NamedNumber("depth", "d", "m", 5e-23),))
     page = comparison(a, b)
-    assert "medium › second elastic → rigid; medium › second › Young&#x27;s modulus 210 GPa → left out" in page
+    assert "medium › second elastic → rigid; medium › second › Young&#x27;s modulus 210 GPa → not given" in page
     assert rows_of(page) == {"depth": ["0 m", "5·10⁻²³ m", "5·10⁻²³ m", "—"]}
     assert "no number in common" in comparison(a, (b[0], ()))
 

@@ -324,7 +324,7 @@ def test_depths_models_and_events_stand_on_the_page(bench, folder_):
     table = gel_table()
     table["fit"] |= {"over_depth": 3, "models": {"cone": ALL_KEYS["models"]["cone"]}}
     answer, *others = solved(bench, table, folder_)
-    assert "What else the curves say" in answer.answers
+    assert "More from the curves" in answer.answers
     assert "<td>cone</td><td>excluded</td>" in answer.answers
     titles = [one.title for one in others if isinstance(one, DrawnSheet)]
     name = "gel_bead.csv"

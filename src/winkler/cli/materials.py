@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 __all__ = ["one", "several"]
 
-TABLE_QUANTITIES = ("young", "poisson", "hardness", "density", "conductivity", "resistivity")
+TABLE_QUANTITIES = ("young", "poisson", "strength", "hardness", "density", "conductivity", "resistivity")
 """Quantities in the table of all materials."""
 
 
@@ -21,22 +21,26 @@ TABLE_QUANTITIES = ("young", "poisson", "hardness", "density", "conductivity", "
 def several(names: Sequence[str]) -> None:
     """Show materials, with their most common quantities."""
     from winkler.materials.named import material
+    from winkler.values.readable import with_unit
     from winkler.values.vocabulary import GLOSSARY
 
     table = terminal.table("material", "sort")
     for quantity in TABLE_QUANTITIES:
-        table.add_column(f"{quantity}\n[{GLOSSARY[quantity].unit or '-'}]", justify="right")
+        table.add_column(quantity, justify="right")
     for name in names:
         entry = material(name)
         numbers = {figure.quantity: figure.number for figure in entry.figures}
         table.add_row(
             name,
             entry.sort,
-            *(f"{numbers[quantity]:.4g}" if quantity in numbers else "-" for quantity in TABLE_QUANTITIES),
+            *(
+                with_unit(numbers[quantity], GLOSSARY[quantity].unit) if quantity in numbers else "-"
+                for quantity in TABLE_QUANTITIES
+            ),
         )
     out = terminal.console()
     out.print(table)
-    out.print("Room temperature, SI units. `winkler show copper` lists all numbers of a material and their sources.")
+    out.print("At room temperature. `winkler show copper` lists all numbers of a material and their sources.")
 
 
 @until_closed()

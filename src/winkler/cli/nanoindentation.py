@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from winkler.cli.results import batch_json, print_batch, validity_json
+from winkler.cli.results import batch_json, print_batch, validity_json, verdict_json
 from winkler.cli.streams import until_closed, write_json
 
 if TYPE_CHECKING:
@@ -122,8 +122,6 @@ def _print(outcome: NanoindentationOutcome, folder: Path) -> None:
 
 
 def _as_json(outcome: NanoindentationOutcome, folder: Path) -> dict[str, Any]:
-    from winkler.cli.validate import verdict_json
-
     means = {
         name: {"mean": mean.mean, "error": mean.error, "interval": list(mean.interval()),
                "shares": dict(zip(mean.sources, mean.shares.tolist(), strict=True))}

@@ -16,10 +16,10 @@ if TYPE_CHECKING:
     from winkler.study.batch.checkpoint import CheckpointStore
     from winkler.study.batch.fit_outcome import FitOutcome
     from winkler.study.batch.journal import Journal
-    from winkler.study.batch.outcome import Outcome
+    from winkler.study.batch.outcome import ComparedNumber, Outcome
     from winkler.study.nanoindentation.running import NanoindentationOutcome
 
-__all__ = ["batch_json", "print_batch", "resumed", "validity_json", "write_outcome_json"]
+__all__ = ["batch_json", "print_batch", "resumed", "validity_json", "verdict_json", "write_outcome_json"]
 
 MOST_DOUBTFUL = 5
 """Curves with doubts that are printed; the table of curves holds all."""
@@ -142,6 +142,23 @@ def validity_json(outcome: Outcome | FitOutcome | NanoindentationOutcome) -> lis
         }
         for note in outcome.validity
     ]
+
+
+def verdict_json(verdict: ComparedNumber) -> dict[str, Any]:
+    """Return a verdict for JSON."""
+    item = verdict.expectation
+    return {
+        "index": list(verdict.index),
+        "quantity": item.quantity,
+        "place": dict(item.place),
+        "unit": item.unit,
+        "expected": item.expected,
+        "got": verdict.got,
+        "deviation": verdict.deviation,
+        "tolerance": item.tolerance,
+        "digits": verdict.digits,
+        "passed": verdict.passed,
+    }
 
 
 def print_batch(outcome: FitOutcome | NanoindentationOutcome, out: Any, file: str) -> None:

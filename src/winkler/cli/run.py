@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 import typer
 
 from winkler.cli.options import AsJson, ClusterAddress, Output, Overwrite, Quiet, Settings, stated_workers
-from winkler.cli.results import resumed, write_outcome_json
+from winkler.cli.results import resumed, verdict_json, write_outcome_json
 from winkler.cli.streams import until_closed, write_line
 
 if TYPE_CHECKING:
@@ -151,12 +151,11 @@ def _with_figures(study: Study, given: str) -> Study:
 
 def _solved_alone(job: _RunRequest) -> Outcome:
     """Solve a study, and write nothing."""
-    from winkler.cli import terminal
     from winkler.study.batch.run import gather, named
     from winkler.study.batch.sweep import solve_points
     from winkler.values.errors import WinklerError
 
-    points = solve_points(job.study, workers=job.workers, watch=terminal.marching(hidden=True))
+    points = solve_points(job.study, workers=job.workers)
     try:
         return gather(job.study, points, started=job.started, source=job.name)
     except WinklerError as error:
@@ -298,9 +297,10 @@ def _print(outcome: Outcome, folder: Path) -> None:
 
 
 def _print_json(outcome: Outcome, folder: Path | None) -> None:
-    from winkler.cli.validate import verdict_json
+    from winkler.study.report.headline.summary import contact_summary
 
     more = {
+        "summary": [one.table() for one in contact_summary(outcome)],
         "expect": [verdict_json(verdict) for verdict in outcome.verdicts],
         "failed": [
             {"index": list(point.index), "reason": point.reason, "code": point.code} for point in outcome.failed

@@ -102,7 +102,7 @@ def answers(outcome: Outcome, out: Console) -> None:
     from winkler.study.language.explain import plain_symbol
 
     swept = [axis.key for axis in outcome.study.sweep]
-    answered = [column for column in outcome.table() if column.name != "failure"]  # the reasons stand below
+    answered = [column for column in outcome.readable_table() if column.name != "failure"]  # the reasons stand below
     swept_contents = [column.content for column in answered if column.name in swept]
     columns = [
         column

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from winkler.cli.results import verdict_json
 from winkler.cli.streams import until_closed, write_json, write_line
 
 if TYPE_CHECKING:
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
     from winkler.study.ledger.ledger import LedgerEntry
     from winkler.study.ledger.ledger_page import LedgerChapter
 
-__all__ = ["validate", "verdict_json", "verdict_table"]
+__all__ = ["validate", "verdict_table"]
 
 NUMBER_MISSED = 1
 
@@ -104,23 +105,6 @@ def verdict_table(verdicts: Iterable[ComparedNumber], points: Iterable[str] = ()
             where(item, point), number_text(item.expected, item), got, digits_, f"{item.tolerance:.0e}", passed
         )
     return table
-
-
-def verdict_json(verdict: ComparedNumber) -> dict[str, Any]:
-    """Return a verdict for JSON."""
-    item = verdict.expectation
-    return {
-        "index": list(verdict.index),
-        "quantity": item.quantity,
-        "place": dict(item.place),
-        "unit": item.unit,
-        "expected": item.expected,
-        "got": verdict.got,
-        "deviation": verdict.deviation,
-        "tolerance": item.tolerance,
-        "digits": verdict.digits,
-        "passed": verdict.passed,
-    }
 
 
 def _json(entry: LedgerEntry) -> dict[str, Any]:

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.numerics.types import Array, ArrayLike
-from winkler.values.readable import Scale, middle_scale, pretty_unit, scale_of, with_unit
+from winkler.values.readable import Scale, middle_scale, name_in_words, pretty_unit, scale_of, with_unit
 from winkler.values.value import value
 from winkler.values.vocabulary import Word, word
 
@@ -35,38 +35,6 @@ __all__ = [
     "with_unit",
 ]
 
-NAMES_IN_WORDS = {
-    "r": "distance from the axis",
-    "x": "place",
-    "y": "place across",
-    "z": "depth below the surface",
-    "von_mises": "von Mises stress",
-    "radius": "contact radius",
-    "hurst": "Hurst exponent",
-    "gap": "equivalent profile",
-    "line_load": "load of the springs",
-    "von_mises_depth": "depth of greatest von Mises stress",
-    "max_shear": "greatest shear stress",
-    "max_shear_depth": "depth of greatest shear stress",
-    "orthogonal_shear": "orthogonal shear stress",
-    "orthogonal_shear_depth": "depth of orthogonal shear stress",
-    "long_axis_shear": "orthogonal shear stress, long axis",
-    "long_axis_shear_depth": "depth of orthogonal shear, long axis",
-    "max_temperature": "greatest temperature",
-    "first_max_temperature": "greatest temperature of the first body",
-    "second_max_temperature": "greatest temperature of the second body",
-    "first_mean_temperature": "mean temperature of the first body",
-    "second_mean_temperature": "mean temperature of the second body",
-    "first_share": "share of the first body",
-    "holm_radius": "Holm radius",
-    "pull_off_force_per_length": "pull-off force per length",
-    "young": "Young's modulus",
-    "poisson": "Poisson's ratio",
-    "modulus": "effective modulus",
-    "shear": "shear modulus",
-}
-"""Names in words that differ from the field names."""
-
 ALONG_THE_SPRINGS = Word("x", "m", "place along the line of springs")
 
 
@@ -84,11 +52,6 @@ def headline(solution: Any, *names: str) -> str:
     """Return some fields of a solution in one line: force, depth and contact radius if none are named."""
     shown = [(name, *HEADLINE_SYMBOLS[name]) for name in names or ("force", "depth", "radius")]
     return "   ".join(f"${symbol}$ = {with_unit(float(getattr(solution, name)), unit)}" for name, symbol, unit in shown)
-
-
-def name_in_words(name: str) -> str:
-    """Return a field name in words: ``line_load`` is the load of the springs."""
-    return NAMES_IN_WORDS.get(name, name.replace("_", " "))
 
 
 @value

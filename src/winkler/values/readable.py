@@ -11,7 +11,16 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-__all__ = ["GREEK", "Scale", "middle_scale", "pretty_unit", "scale_of", "with_readable_numbers", "with_unit"]
+__all__ = [
+    "GREEK",
+    "Scale",
+    "middle_scale",
+    "name_in_words",
+    "pretty_unit",
+    "scale_of",
+    "with_readable_numbers",
+    "with_unit",
+]
 
 PREFIXES = {-18: "a", -15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
 
@@ -35,6 +44,43 @@ RAW_NUMBER = re.compile(
 )
 """A number with a power of ten, or with zeros behind the point, and its unit if a prefix fits that."""
 SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+
+
+NAMES_IN_WORDS = {
+    "r": "distance from the axis",
+    "x": "place",
+    "y": "place across",
+    "z": "depth below the surface",
+    "von_mises": "von Mises stress",
+    "radius": "contact radius",
+    "hurst": "Hurst exponent",
+    "gap": "equivalent profile",
+    "line_load": "load of the springs",
+    "von_mises_depth": "depth of greatest von Mises stress",
+    "max_shear": "greatest shear stress",
+    "max_shear_depth": "depth of greatest shear stress",
+    "orthogonal_shear": "orthogonal shear stress",
+    "orthogonal_shear_depth": "depth of orthogonal shear stress",
+    "long_axis_shear": "orthogonal shear stress, long axis",
+    "long_axis_shear_depth": "depth of orthogonal shear, long axis",
+    "max_temperature": "greatest temperature",
+    "first_max_temperature": "greatest temperature of the first body",
+    "second_max_temperature": "greatest temperature of the second body",
+    "first_mean_temperature": "mean temperature of the first body",
+    "second_mean_temperature": "mean temperature of the second body",
+    "first_share": "share of the first body",
+    "stick_share": "part of the contact that sticks",
+    "hardened_share": "part of the contact at its hardness",
+    "misfit": "error of the solver",
+    "penetration": "overlap left by the solver",
+    "holm_radius": "Holm radius",
+    "pull_off_force_per_length": "pull-off force per length",
+    "young": "Young's modulus",
+    "poisson": "Poisson's ratio",
+    "modulus": "effective modulus",
+    "shear": "shear modulus",
+}
+"""Names in words that differ from the field names."""
 
 
 class Scale(NamedTuple):
@@ -167,3 +213,8 @@ def with_readable_numbers(sentence: str) -> str:
         return with_unit(float(found[1]), found[2] or "", max(digits, 1))
 
     return re.sub(r"(?<=\d) per cent\b", " %", RAW_NUMBER.sub(readable, sentence))
+
+
+def name_in_words(name: str) -> str:
+    """Return a field name in words: ``line_load`` is the load of the springs."""
+    return NAMES_IN_WORDS.get(name, name.replace("_", " "))

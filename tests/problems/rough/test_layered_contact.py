@@ -207,7 +207,7 @@ def test_what_is_not_known_in_layers_is_refused():
     rough, _, _ = ball(24, "ball")
     strong = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(5.0, 0.3, strength=1.0), 0.1)], on=BASE)
     contact = wk.SurfaceContact(rough, strong, wk.Depth(0.01)).solve()
-    with pytest.raises(OutsideValidity, match="stress below the surface of a height map on a CoatedHalfSpace is not known"):
+    with pytest.raises(OutsideValidity, match="stress below the surface of a height map on a CoatedHalfSpace"):
         contact.stresses(0.0, 0.0, 0.1)
     assert contact.greatest_stress().value > 0.0
     assert any("strength of the layer 1" in note.statement for note in contact.validity)

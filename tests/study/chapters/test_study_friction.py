@@ -214,7 +214,7 @@ def test_the_command_line_writes_what_was_reached(tmp_path, monkeypatch, capsys)
     assert "After 3 of 5 points of the path" in capsys.readouterr().out
     with (tmp_path / "out" / "results.csv").open(encoding="utf-8") as file:
         assert len(list(csv.DictReader(file))) == 3
-    assert "Where a march ended early" in (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert "Where the calculation ended early" in (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
 
 
 def test_ctrl_c_ends_a_run_with_what_was_reached(tmp_path, monkeypatch):

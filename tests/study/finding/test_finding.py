@@ -47,6 +47,8 @@ def test_words_that_were_new_when_they_were_asked(language, share, least):
     and 92 % (rounds 1 to 8), of German and French ones 74, 83, 83, 90, 100, 74, 90 and 95 %, and said of 85, 77, 67,
     67, 85, 73, 58 and 95 % that they are not covered.  While half of round 8 was still unread by those who
     mended the table, 91, 95 and 92 % of it were found; since then all rounds have been read.
+    Rounds 9 and 10, at first sight: 94 % of 50 English and 97 % of 32 German and French ones; of what is not covered,
+    with round 11, 62 % of 47, which has no end: what is missing there is shown beside its nearest neighbours.
     The shares below are those of today, of words that have been seen: what a new word meets is nearer to the former.
     """
     asked = [one for one in asked_later() if language == ("beyond" if one[3] == ["beyond"] else one[1])]

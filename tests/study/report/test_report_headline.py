@@ -18,7 +18,7 @@ from winkler.study.language.explain import example_study
 from winkler.study.language.reading import parse_study
 from winkler.study.report.headline.advice import ADVICE, worst_doubt
 from winkler.study.report.headline.elastic_state import elastic_state
-from winkler.study.report.headline.section import doubt_line, doubt_of, headline_section
+from winkler.study.report.headline.section import doubt_line, doubt_of, headline, headline_section
 from winkler.study.report.headline.shown_contact import shown_point
 from winkler.study.report.headline.summary import contact_summary
 from winkler.study.report.tables import contact_section
@@ -218,8 +218,7 @@ def test_a_sweep_of_paths_is_headed_by_what_each_has_lost():
 
 def test_a_sweep_without_a_difference_says_so():
     outcome = solved("impact", sweep={"problem.mass": ["1 g", "2 g"]})
-    assert "1 of its normal speed" in (lead := headline_section(outcome).replace("\xa0", " "))
-    assert " at all 2 points." in lead
+    assert "The restitution is 1 at all 2 points." in headline_section(outcome).replace("\xa0", " ")
 
 
 def test_a_map_touches_on_a_part_of_its_area():
@@ -280,3 +279,30 @@ def test_the_summary_of_a_sweep_has_ranges_and_the_stresses_of_the_point_that_is
     assert found["von_mises"].remark.endswith(", at force = 80 N")
     assert "force" not in found  # the study gives it
     assert ", at force = 80" in contact_section(swept).replace("\xa0", " ")
+
+
+def test_a_sweep_says_which_point_is_nearest_to_yielding():
+    """A ball yields at the cube of strength over stress times its load: the heaviest one first, or the weakest."""
+    swept = ball(steel={"strength": "3 GPa"}, sweep={"problem.load.force": ["80 N", "1 kN", "10 N"]})
+    state = elastic_state(swept.points[1])
+    assert f"The point force = 1 kN is nearest to yielding: it yields at {state.margin:.3g} times this load, " in (
+        headline(swept)
+    )
+    strength = "problem.bed.medium.first.strength"
+    weak = ball(steel={"strength": "3 GPa"}, sweep={strength: ["3 GPa", "1 GPa", "2 GPa"]})
+    found = headline(weak)
+    assert "The point strength = 1 GPa is nearest to yielding: it has yielded: this is " in found
+    assert "yield" not in headline(ball(sweep={"problem.load.force": ["80 N", "10 N"]}))
+
+
+def test_a_metal_and_a_map_have_their_margins_too():
+    """The load over that of the first yield; below maps, whose stress is no power of the load, the stress itself."""
+    dented = solved("plastic_indentation")
+    onset = dented.points[0].problem.yield_force
+    times = np.max(dented.answer("force")) / onset
+    assert f"Its greatest load is {times:.3g} times that of the first yield." in headline(dented)
+    solid = {"kind": "elastic", "young": "210 GPa", "poisson": 0.3, "strength": "9 GPa"}
+    mapped = solved("surface_contact", problem__medium={"kind": "half_space", "first": solid})
+    assert re.search(
+        r"Its greatest stress is 0\.\d+ of the strength, [\d.]+ µm below the surface, first body", (headline(mapped))
+    )

@@ -7,7 +7,8 @@ leads from pixel to pixel.  Stresses on the surface are those in the middles of 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,7 +18,14 @@ from winkler.media.interior.periodic_map_field import PeriodicMapField
 from winkler.media.interior.tensor import Measure, Tensor, von_mises
 from winkler.numerics.types import Array
 
-__all__ = ["greatest_below_map", "greatest_by_depth", "greatest_over_depth", "loaded_span"]
+__all__ = [
+    "DeepStresses",
+    "greatest_below_map",
+    "greatest_by_depths",
+    "greatest_of_levels",
+    "greatest_over_depth",
+    "loaded_span",
+]
 
 SHALLOWEST = 0.5
 """Smallest depth below the surface that is searched, in pixels; nearer to it the steps between pixels show."""
@@ -51,12 +59,10 @@ def greatest_below_map(field: MapField | PeriodicMapField, measure: Measure = vo
     measure
         Of which kind; von Mises' unless given.
     """
-    least, deepest = SHALLOWEST * max(field.pixel), DEEPEST * loaded_span(field.loads, field.pixel)
-    depths = [least]
-    while depths[-1] < deepest:
-        depths.append(DEPTH_STEP * depths[-1])
     if isinstance(field, PeriodicMapField):
-        return greatest_by_depth(lambda z: (field.at_depth(z)[:6], field.pixel), np.array([0.0, *depths]), 0.0, measure)
+        depths = np.array([0.0, *_depths(field)])
+        return greatest_of_levels(lambda z: (field.at_depth(z)[:6], field.pixel), depths, 0.0, measure)
+    depths, least = _depths(field), SHALLOWEST * max(field.pixel)
     surface = _best_at(field, 0.0, measure)
     found = sorted(
         (_best_at(_on_means(field, z, MEANS_PER_DEPTH), z, measure) for z in depths), key=lambda spot: -spot.value
@@ -80,7 +86,7 @@ def loaded_span(loads: Array, pixel: tuple[float, float]) -> float:
     return max(float(part[-1] - part[0] + 1) * size for part, size in zip(sides, pixel, strict=True))
 
 
-def greatest_by_depth(
+def greatest_of_levels(
     stresses: Callable[[float], tuple[Array, tuple[float, float]]], depths: Array, top: float, measure: Measure
 ) -> StressSpot:
     """Return the greatest stress of a kind and its place, from stresses in the middles of all pixels at some depths.
@@ -142,14 +148,73 @@ def greatest_over_depth(level: Callable[[float], float], depths: Array, top: flo
     )  # fmt: skip
 
 
-def _on_means(field: MapField, z: float, per_depth: float) -> MapField:
-    """Return the map on pixels as large as the depth allows."""
+class DeepStresses(NamedTuple):
+    """Stresses of several kinds below a map.
+
+    Parameters
+    ----------
+    depths : ndarray, (n,)
+        From the surface on [m].
+    values : ndarray, (kinds, n)
+        The greatest of each kind at each depth [Pa].
+    greatest
+        The greatest of each kind, and its place.
+    """
+
+    depths: Array
+    values: Array
+    greatest: tuple[StressSpot, ...]
+
+
+def greatest_by_depths(field: MapField | PeriodicMapField, measures: Sequence[Measure]) -> DeepStresses:
+    """Return the greatest stresses of several kinds in the middles of pixels, which costs transforms alone.
+
+    Parameters
+    ----------
+    field
+        With some load.
+    measures
+        Of which kinds.
+    """
+
+    def bests(z: float, per_depth: float = MEANS_PER_DEPTH) -> list[StressSpot]:
+        pixels = _on_means(field, z, per_depth)
+        stress = Tensor(*pixels.at_depth(z)[:6])
+        return [_best_of(pixels, measure(stress), z) for measure in measures]
+
+    depths = [0.0, *_depths(field)]
+    columns = list(zip(*(bests(z) for z in depths), strict=True))
+    found = []
+    for place, spots in enumerate(columns):
+        top = max(range(1, len(depths)), key=lambda row: spots[row].value)
+        if 1 < top < len(depths) - 1:  # a parabola over the logarithm of the depth
+            low, middle, high = (spots[row].value for row in (top - 1, top, top + 1))
+            bend = low - 2.0 * middle + high
+            z = depths[top] * DEPTH_STEP ** (0.5 * (low - high) / bend if bend < 0.0 else 0.0)
+            spots = (*spots, bests(float(z), MEANS_PER_CLIMB)[place])
+        found.append(max(spots, key=lambda spot: spot.value))
+    return DeepStresses(np.array(depths), np.array([[spot.value for spot in spots] for spots in columns]), tuple(found))
+
+
+def _depths(field: MapField | PeriodicMapField) -> list[float]:
+    """Return the depths of the search [m]."""
+    depths, deepest = [SHALLOWEST * max(field.pixel)], DEEPEST * loaded_span(field.loads, field.pixel)
+    while depths[-1] < deepest:
+        depths.append(DEPTH_STEP * depths[-1])
+    return depths
+
+
+def _on_means(field: MapField | PeriodicMapField, z: float, per_depth: float) -> MapField | PeriodicMapField:
+    """Return the map on pixels as large as the depth allows; a periodic one as it is."""
     times = int(z / (per_depth * max(field.pixel)))
-    return field.coarsened(times) if times > 1 else field
+    return field.coarsened(times) if isinstance(field, MapField) and times > 1 else field
 
 
-def _best_at(field: MapField, z: float, measure: Measure) -> StressSpot:
-    stress = measure(Tensor(*field.at_depth(z)[:6]))
+def _best_at(field: MapField | PeriodicMapField, z: float, measure: Measure) -> StressSpot:
+    return _best_of(field, measure(Tensor(*field.at_depth(z)[:6])), z)
+
+
+def _best_of(field: MapField | PeriodicMapField, stress: Array, z: float) -> StressSpot:
     i, j = np.unravel_index(int(np.argmax(stress)), stress.shape)
     return StressSpot(float(stress[i, j]), (float(i) + 0.5) * field.pixel[0], (float(j) + 0.5) * field.pixel[1], z)
 

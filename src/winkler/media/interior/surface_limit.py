@@ -32,7 +32,8 @@ PAIRS_PER_CHUNK = 1 << 16
 
 def point_groups(chosen: Indices, parts: Indices, count: Indices) -> Iterator[tuple[Indices, Array, Array]]:
     """Yield points with the same rule, and its nodes and weights, in pieces of at most `PAIRS_PER_CHUNK` pairs."""
-    for some, many in np.unique(np.stack([parts[chosen], count[chosen]]), axis=1).T:
+    pairs, _ = np.unique(np.stack([parts[chosen], count[chosen]]), axis=1, return_index=True)  # else it loads numpy.ma
+    for some, many in pairs.T:
         members = chosen[(parts[chosen] == some) & (count[chosen] == many)]
         nodes, weights = _rule(int(some), int(many))
         for part in chunks(members.size, nodes.size, PAIRS_PER_CHUNK):

@@ -22,7 +22,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.media.interior.map_field import MapField
-from winkler.media.interior.map_peak import DEEPEST, DEPTH_STEP, SHALLOWEST, greatest_by_depth, loaded_span
+from winkler.media.interior.map_peak import DEEPEST, DEPTH_STEP, SHALLOWEST, greatest_of_levels, loaded_span
 from winkler.media.interior.peak import StressSpot
 from winkler.media.interior.periodic_map_field import PeriodicMapField
 from winkler.media.interior.tensor import Measure, von_mises
@@ -229,7 +229,7 @@ def greatest_in_layer(field: MapInLayers, top: float, bottom: float, measure: Me
             means[times] = field.coarsened(times)
         return means[times].stresses(z), means[times].pixel
 
-    return greatest_by_depth(stresses, np.unique([first, *depths]), top, measure)
+    return greatest_of_levels(stresses, np.unique([first, *depths]), top, measure)
 
 
 def _amplitudes(number: int, c: Array, s: Array, plane: Array, beside: Array) -> ComplexArray:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Mapping
 from typing import TypeGuard
 
 import numpy as np
@@ -24,7 +25,7 @@ from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.normal.onset.ellipse_in_layers import EllipseInLayers
 from winkler.problems.subsurface.contact_stress import ContactStressSolution
 
-__all__ = ["contact_stress_sheet"]
+__all__ = ["contact_stress_sheet", "depth_sheet"]
 
 ACROSS, DOWN = 61, 81
 """Places of the plane of which the greatest at each depth is drawn."""
@@ -44,21 +45,36 @@ NAMES = {
 @without_extent(ContactStressSolution)
 def contact_stress_sheet(item: ContactStressSolution) -> Sheet:
     """Return the greatest stresses at each depth, below the shorter axis of an ellipse, and the greatest of all."""
-    drawn = [series(name, content, type(item)) for name, content in _at_depths(item).items()]
+    greatest = {name: (getattr(item, name), abs(getattr(item, f"{name}_depth"))) for name in NAMES}
+    return depth_sheet(np.abs(_depths(item)), _at_depths(item), greatest)
+
+
+def depth_sheet(depths: Array, stresses: Mapping[str, Array], greatest: Mapping[str, tuple[float, float]]) -> Sheet:
+    """Return the greatest stresses at each depth, and the greatest of all.
+
+    Parameters
+    ----------
+    depths : ndarray, (n,)
+        [m].
+    stresses
+        ``von_mises``, ``max_shear`` and ``orthogonal_shear`` -> the greatest at each depth [Pa].
+    greatest
+        The same -> the greatest of all [Pa], and its depth [m].
+    """
+    drawn = [series(name, content, ContactStressSolution) for name, content in stresses.items()]
     stress = dataclasses.replace(drawn[0], content=np.concatenate([one.content for one in drawn]))
-    depth = series("z", np.abs(_depths(item)))
+    depth = series("z", depths)
     marks = [among(place, one.content, depth.content, NAMES[one.name]) for place, one in enumerate(drawn)]
-    greatest = [(getattr(item, name), abs(getattr(item, f"{name}_depth"))) for name in NAMES]
-    values, places = np.transpose(greatest)
+    values, places = np.transpose([greatest[name] for name in stresses])
     marks.append(points(values, places, style.INK, size=5.0))
     across = dataclasses.replace(
         PanelAxis.of(stress, common_scale(*drawn), low=0.0, high=ROOM * float(np.max(values))),
         label="greatest stress at a depth",
     )
     upright = PanelAxis.of(depth, depth.scale, low=float(np.max(depth.content)), high=0.0)
-    deep = with_unit(abs(item.max_shear_depth), "m")
-    title = f"greatest shear stress {with_unit(item.max_shear, 'Pa')} at a depth of {deep}"
-    return Sheet((Panel(tuple(marks), across, upright),), below=len(NAMES), width=5.4, height=3.8, title=title)
+    shear, deep = greatest["max_shear"]
+    title = f"greatest shear stress {with_unit(shear, 'Pa')} at a depth of {with_unit(deep, 'm')}"
+    return Sheet((Panel(tuple(marks), across, upright),), below=len(drawn), width=5.4, height=3.8, title=title)
 
 
 def _width(item: ContactStressSolution) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 
 import numpy as np
@@ -54,6 +55,7 @@ def _scaled(places: tuple[Array, Array, Array], found: Array, solid: Elastic) ->
     return BodyFields(*places, *found[:6], *(0.5 / solid.shear * found[6:]))
 
 
+@functools.lru_cache(maxsize=16)
 def greatest_stress(load: SurfaceLoad, solid: Elastic) -> StressSpot:
     """Return the greatest von Mises stress [Pa] in a half-space and its place [m], z >= 0."""
     return _placed(greatest_below_map(load.field(solid.poisson)), load)

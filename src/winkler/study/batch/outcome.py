@@ -11,6 +11,7 @@
     outcome.validity              the notes of all points, each kind of statement once, in its worst standing
     outcome.shape                 number of points along each dimension of the sweep
     outcome.table()               `Column` after `Column`: a long table with one row per load; swept keys, then answers
+    outcome.readable_table()      the same as readers are shown it, with zero for what is rounding alone
     outcome.answers               names of the answers (depth, force, ...), as in the glossary
     outcome.indices               `Indices` of every answer, if the design is sensitivity: what makes it scatter
     outcome.answer("depth")       the same numbers as an array of shape ``shape + (loads,)``, NaN where a point failed
@@ -18,6 +19,7 @@
     point.index, point.settings   place in the sweep, and the values of its keys there (in the order of study.sweep)
     point.problem, point.solution
     point.answers                 name -> numbers of shape (loads,)
+    point.readable                the same, with zero for what is rounding alone
     point.each                    the solution load by load: one scalar solution for every load
     point.surface                 SurfaceFields of every load, in the order of `each`; empty unless [fields] has r
     point.subsurface              SubsurfaceFields of every load; empty unless [fields] has r and z
@@ -29,6 +31,7 @@ from __future__ import annotations
 
 import dataclasses
 import functools
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -264,9 +267,15 @@ class Outcome:
         """Return the long table, one row per point and load: swept keys, answers, and failures if there are any."""
         return self._table
 
+    def readable_table(self) -> tuple[ResultColumn, ...]:
+        """Return `table` as readers are shown it: with zero for what is rounding alone."""
+        return self._columns([{} if isinstance(point, Failed) else point.readable for point in self.points])
+
     @functools.cached_property
     def _table(self) -> tuple[ResultColumn, ...]:
-        numbers = self._numbers
+        return self._columns(self._numbers)
+
+    def _columns(self, numbers: Sequence[dict[str, Array]]) -> tuple[ResultColumn, ...]:
         counts = [max((len(content) for content in collected.values()), default=1) for collected in numbers]
         columns = []
         for place, axis in enumerate(self.study.sweep):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -16,7 +16,56 @@ from winkler.study.language.study import Expectation
 from winkler.values.validity import Note
 from winkler.values.value import value
 
-__all__ = ["ComparedNumber", "Failed", "Point", "Recalled", "Solved", "SolvedPoint"]
+__all__ = ["ComparedNumber", "Failed", "Point", "Recalled", "Solved", "SolvedPoint", "sides_of_map"]
+
+
+IN_THE_PLANE = (
+    ("shear_force_x", "shear_force_y"),
+    ("longitudinal_force", "lateral_force"),
+    ("x_force", "y_force"),
+    ("longitudinal_creepage", "lateral_creepage"),
+)
+"""Components of forces and creepages that are sums over many elements."""
+MOMENTS = ("moment", "torque")
+PASSED = frozenset(("time", "distance", "cycles", "cycle", "shear_force"))
+"""Answers of paths and histories."""
+ROUNDING, ALONG_PATH = 1e-7, 1e-12
+"""Parts that are rounding: of the greatest force or component in the plane, to which grids are solved; of the greatest
+number along a path."""
+
+
+def _without_rounding(answers: dict[str, Array], *, along_path: bool, of: Any) -> dict[str, Array]:
+    """Return answers with zero for rounding; of a problem, whose path they may be along."""
+    sizes = {name: _greatest(answers.get(name.removesuffix("_per_cycle"), answers[name])) for name in answers}
+    least = {name: ALONG_PATH * size * along_path for name, size in sizes.items()}
+    for pair in IN_THE_PLANE:
+        if all(name in answers for name in pair):
+            whole = pair if "creepage" in pair[0] else (*pair, "force")
+            size = max(sizes[name] for name in whole if name in answers)
+            least |= dict.fromkeys(pair, ROUNDING * size)
+            if "force" in whole:
+                arm = max(map(_greatest, (answers.get("area", np.zeros(1)) ** 0.5, sides_of_map(of))))
+                least |= {name: ROUNDING * size * arm for name in MOMENTS if name in answers}
+    return {name: np.where(np.abs(content) < least[name], 0.0, content) for name, content in answers.items()}
+
+
+def _greatest(content: Any) -> float:
+    """Return the size of the greatest finite number; zero where there is none."""
+    return float(np.max(np.abs(content), initial=0.0, where=np.isfinite(content)))
+
+
+def sides_of_map(problem: Any) -> Array:
+    """Return the sides of the height map of a problem, or of the contact that it takes [m]; empty without one.
+
+    Parameters
+    ----------
+    problem
+        Any.
+    """
+    if isinstance(side := getattr(problem, "side", None), float):
+        return np.array([side, side])
+    sides = getattr(getattr(getattr(problem, "contact", problem), "topography", None), "lengths", None)
+    return np.zeros(0) if sides is None else np.asarray(sides)
 
 
 class _WithAnswers:
@@ -35,6 +84,16 @@ class _WithAnswers:
             else np.full(count, number)
             for name, number in self.found
         }
+
+    @property
+    def readable(self) -> dict[str, Array]:
+        """The same, with zero for what is rounding alone, as readers are shown it.
+
+        Rounding is what remains of a component of forces, creepages or moments in the plane whose parts cancel, of a
+        number along a path that returns to zero, and of the difference of two cycles.
+        """
+        problem, answers = cast("Any", self).problem, self.answers
+        return _without_rounding(answers, along_path=is_march(problem) or not PASSED.isdisjoint(answers), of=problem)
 
     @property
     def each(self) -> tuple[Any, ...]:

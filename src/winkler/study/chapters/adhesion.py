@@ -202,10 +202,10 @@ ADHESION = Chapter(
             picture=Caption(
                 "shear",
                 "The contact shrinks as it is sheared",
-                "Up to the shift at which no contact radius is in equilibrium any more.",
+                "Up to the tangential displacement at which no contact radius is in equilibrium any more.",
             ),
             pictured=PicturedContact.EDGE,
-            contact_shown="the contact under the last load, its springs along the surface left out",
+            contact_shown="the contact under the last load, without friction",
             formulas=shear_formulas,
         ),
     },

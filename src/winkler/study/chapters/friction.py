@@ -188,7 +188,7 @@ FRICTION = Chapter(
                 ("time", "dissipation"),
             ),
             pictured=PicturedContact.PATH,
-            contact_shown="the contact at its greatest depth, its springs along the surface left out",
+            contact_shown="the contact at its greatest depth, without friction",
             formulas=tangential_formulas,
         ),
         "torsion": answer(
@@ -207,7 +207,7 @@ FRICTION = Chapter(
             ),
             curves=(("angle", "torque"), ("time", "dissipation")),
             pictured=PicturedContact.PATH,
-            contact_shown="the contact at its greatest depth, its twist left out",
+            contact_shown="the contact at its greatest depth, without the twist",
             formulas=torsion_formulas,
         ),
         "friction_damping": answer(
@@ -221,7 +221,7 @@ FRICTION = Chapter(
             normal={"kind": "force", "force": "100 N"},
             amplitude={"kind": "shift", "shift": "0.5 um"},
             picture=Caption("damping", "Damping by friction", "Loss, stiffness and loss factor over the amplitude."),
-            contact_shown="the contact under its normal load, its springs along the surface left out",
+            contact_shown="the contact under its normal load, without friction",
             formulas=followed_by(tangential_formulas, LOSS),
         ),
         "bimodal_damping": answer(
@@ -237,7 +237,7 @@ FRICTION = Chapter(
             shift_amplitude="0.5 um",
             phase="90 deg",
             picture=Caption("damping", "Damping by friction", "Loss in every closed cycle of depth and shift."),
-            contact_shown="the contact at its greatest depth, its springs along the surface left out",
+            contact_shown="the contact at its greatest depth, without friction",
             formulas=followed_by(normal_formulas, TANGENTIAL_SPRINGS, COMMON_OSCILLATION, LOSS),
         ),
         "relaxation_damper": answer(
@@ -251,8 +251,8 @@ FRICTION = Chapter(
             depth="3 um",
             depth_amplitude="1 um",
             frequency="100 Hz",
-            picture=Caption("damping", "Damping by relaxation", "Damper and spring, as the depth oscillates."),
-            contact_shown="the contact at its greatest depth, its springs along the surface left out",
+            picture=Caption("damping", "Damping by relaxation", "Stiffness and damping while the depth oscillates."),
+            contact_shown="the contact at its greatest depth, without friction",
             formulas=followed_by(normal_formulas, RELAXED),
         ),
         "friction_loops": answer(

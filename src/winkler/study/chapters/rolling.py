@@ -111,13 +111,15 @@ ROLLING = Chapter(
             headline=("longitudinal_force", "lateral_force", "stick_share", "loss_per_distance"),
             creepage=CURVE,
             load=PRESSED,
-            picture=Caption("creep", "Rolling", "The creep force, and what the springs bear at the greatest of these."),
+            picture=Caption(
+                "creep", "Rolling", "The creep force, and the load of the springs at the greatest of these."
+            ),
             curves=(
                 ("longitudinal_creepage", "longitudinal_force"),
                 ("lateral_creepage", "lateral_force"),
                 ("longitudinal_creepage", "stick_share"),
             ),
-            contact_shown="the contact under its normal load, its springs along the surface left out",
+            contact_shown="the contact under its normal load, without friction",
             formulas=followed_by(_springs, DRIVEN, ROLLED, CREEP),
         ),
         "simplified_rolling": answer(
@@ -150,7 +152,7 @@ ROLLING = Chapter(
             "winkler.problems.rolling.start:RollingStart",
             question="How do the creep forces grow when a round contact begins to roll?",
             page="chapters/rolling.md#from-rest-to-rolling",
-            en="starts rolling from rest transient creep wheel begins to roll build-up of creep force start-up distance to steady state locomotive starts",
+            en="skidding skids starts rolling from rest transient creep wheel begins to roll build-up of creep force start-up distance to steady state locomotive starts",
             de="anrollen anfahren rad aus der ruhe instationär",
             fr="démarrage roulement départ arrêté transitoire roue",
             headline=("shear_force", "stick_share", "distance"),
@@ -162,7 +164,7 @@ ROLLING = Chapter(
             ),
             curves=(("distance", "shear_force"), ("distance", "stick_share")),
             pictured=PicturedContact.PATH,
-            contact_shown="the contact under its normal load, its springs along the surface left out",
+            contact_shown="the contact under its normal load, without friction",
             formulas=followed_by(_springs, DRIVEN, CARRIED_LOAD, CREEP),
         ),
         "oscillating_rolling": answer(
@@ -179,11 +181,11 @@ ROLLING = Chapter(
             picture=Caption(
                 "rocking",
                 "Rocking to and fro",
-                "The shift over the cycles, the springs after some of them, and the limit of shakedown.",
+                "The tangential displacement over the cycles, the springs after some of them, and the limit of shakedown.",
             ),
             curves=(("cycle", "shift"),),
             pictured=PicturedContact.PATH,
-            contact_shown="the contact under its normal load, its springs along the surface left out",
+            contact_shown="the contact under its normal load, without friction",
             formulas=followed_by(_springs, CARRIED_LOAD, LIMIT),
         ),
     },

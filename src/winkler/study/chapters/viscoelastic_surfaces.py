@@ -141,7 +141,7 @@ VISCOELASTIC_SURFACES = Chapter(
             },
             picture=Caption(
                 "pulled_off",
-                "Pulled off rubber",
+                "Pull-off from rubber",
                 "Force over the travel of the machine, depth and contact over time, and the speed of the edge.",
             ),
             curves=(("position", "force"), ("time", "radius"), ("time", "crack_speed")),

@@ -31,9 +31,9 @@ UPDATED_SPRINGS = Equation(
     "The worn profile is transformed anew after each step; the worn depth changes the plane profile by",
     r"\Delta g(x) = \Delta f(0) + x\int_0^x \frac{\Delta f'(r)}{\sqrt{x^2-r^2}}\,\mathrm{d}r",
 )
-CORE = Equation("The core that always sticks ends at c", r"G^*\,U = \mu\,E^*\,(d-g(c))")
+CORE = Equation("The stick zone ends at c", r"G^*\,U = \mu\,E^*\,(d-g(c))")
 LIMIT = Equation(
-    "and in the end nothing else bears: the worn surface is that which the core's pressure leaves the other one",
+    "and in the end it carries all of the load: the worn surface is that which its pressure leaves the other one",
     r"f_\infty(r) = d-u(r) = \frac{2}{\pi}\left(\int_0^c \frac{g(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x "
     r"+ d\,\arccos\frac{c}{r}\right)",
 )
@@ -76,7 +76,7 @@ WEAR = Chapter(
             question="How does a fretting joint wear?",
             page="chapters/wear.md",
             key="fretting",
-            en="fretting wear scar reciprocating wear archard vibration wear contact scar depth connector fretting how long does it last lifetime debris hip implant taper worn off rate dissipated energy wear coefficient fretting modular taper micromotion trunnion fretting corrosion of connectors tin fretting number of cycles electric contact vibration wear tube million cycles vibrating plug wears through its gold plating press fit of a hub on a shaft fretting spline coupling false brinelling",
+            en="worn taper junction fretting wear scar reciprocating wear archard vibration wear contact scar depth connector fretting how long does it last lifetime debris hip implant taper worn off rate dissipated energy wear coefficient fretting modular taper micromotion trunnion fretting corrosion of connectors tin fretting number of cycles electric contact vibration wear tube million cycles vibrating plug wears through its gold plating press fit of a hub on a shaft fretting spline coupling false brinelling",
             de="schwingverschleiss fretting reibkorrosion verschleissnarbe archard lebensdauer passungsrost wie lange hält es zyklen hält schwingungsreibung modularer konus reibkorrosion einer passung welle nabe",
             fr="usure par fretting petits débattements trace d'usure archard durée de vie vibration million de cycles usure cône modulaire usure après cycles",
             headline=("worn_volume", "worn_depth", "cycles"),
@@ -89,7 +89,7 @@ WEAR = Chapter(
             picture=Caption(
                 "fretting",
                 "Worn by fretting",
-                "Profiles, worn depth and pressure after some of the cycles; contact, core, volume and load over them.",
+                "Profiles, worn depth and pressure after some of the cycles; contact, stick zone, volume and load over them.",
             ),
             curves=(("cycles", "worn_volume"), ("cycles", "stick_radius"), ("cycles", "force"), ("cycles", "depth")),
             pictured=PicturedContact.NONE,
@@ -154,7 +154,7 @@ WEAR = Chapter(
             picture=Caption(
                 "limit",
                 "Where wear ends",
-                "The profile in the end, what was worn off, and the pressure, which only the core bears then.",
+                "The profile in the end, what was worn off, and the pressure, which the stick zone alone carries then.",
             ),
             pictured=PicturedContact.NONE,
             formulas=followed_by(normal_formulas, CORE, LIMIT),

@@ -254,7 +254,8 @@ class _Index:
             count(name, (name, MATERIAL), (" ".join(other_names(name)), MATERIAL))
         for name, entry in table["beyond"].items():
             self.beyond[name] = Beyond(entry["what"], tuple(entry["nearest"]))
-            count(f"beyond.{name}", (entry["what"], SAID), (" ".join(entry[each] for each in LANGUAGES), SAID))
+            said = " ".join(entry[each] for each in LANGUAGES)
+            count(f"beyond.{name}", (entry["what"], SAID), (said, SAID), (entry.get("key", ""), KEY))
         self.favour = {kind: SELDOM for kind in kinds() if slot_of(kind) not in ASKED}
         self.favour |= dict.fromkeys(table["common"].split(), COMMON)
         mean = sum(sum(told.values()) for told in counts.values()) / len(counts)

@@ -232,7 +232,8 @@ def example_study(name: str, **chosen: str) -> dict[str, Any]:
         holders = [_holder(kind)[0], *(holder for holder, _ in _holders(kind))]
         if not _placed(table, kind) and not any(_placed(table, one) and _placed(table, kind) for one in holders):
             raise InvalidInput(f"{problem} has no place for {kind}, a {slot_of(kind)}; see `winkler show {problem}`.")
-    return {"title": f"{problem} ({name})".replace("_", " "), "problem": table}
+    title = problem if name == problem else f"{problem} ({name})"
+    return {"title": title.replace("_", " "), "problem": table}
 
 
 def _problem_with(name: str) -> str:

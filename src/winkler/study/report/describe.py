@@ -9,14 +9,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.loading.path_steps import Unchanged
-from winkler.plot.series import name_in_words, scale_of
 from winkler.study.language import keys
 from winkler.study.language.catalogue import kind_of
-from winkler.study.language.explain import summary
 from winkler.study.language.study import Study
 from winkler.study.language.varied import Axis, Range
-from winkler.values.readable import with_unit
+from winkler.values.readable import name_in_words, scale_of, with_unit
 from winkler.values.vocabulary import Word, own_word, word
 
 __all__ = ["Input", "content_label", "in_words", "inputs", "setting_text", "settings_text", "values_text"]
@@ -85,12 +82,17 @@ def _name(owner: type, field: str) -> str:
     return field.replace("_", " ") if own_word(owner, field) else name_in_words(field)
 
 
+def _left_out(inside: Any) -> bool:
+    """Return whether a step leaves a load as it is; its class is not loaded for contacts without a path."""
+    return type(inside).__name__ == "Unchanged"
+
+
 def _rows(content: Any, path: str, group: str, swept: dict[str, Axis | Range]) -> Iterator[Input]:
     owner = type(content)
     below: list[tuple[Any, str, str]] = []
     for field in dataclasses.fields(content):
         inside = getattr(content, field.name)
-        if not field.init or isinstance(inside, Unchanged):  # computed fields, and values that were not given
+        if not field.init or _left_out(inside):  # computed fields, and values that were not given
             continue
         entry = word(owner, field.name)
         key = f"{path}.{field.name}"
@@ -193,6 +195,8 @@ def settings_text(study: Study, settings: Iterable[Any]) -> str:
 
 def in_words(study: Study) -> str:
     """Return the problem in sentences."""
+    from winkler.study.language.explain import summary  # not loaded for numbers alone
+
     swept = {axis.key for axis in study.sweep}
     sentences = [summary(type(study.problem))]
     for path, role, content in _parts(study.problem, "problem"):
@@ -234,7 +238,7 @@ def _described(content: Any, path: str, swept: set[str]) -> str:
     for field in dataclasses.fields(content):
         inside = getattr(content, field.name)
         key = f"{path}.{field.name}"
-        if not field.init or isinstance(inside, Unchanged):
+        if not field.init or _left_out(inside):
             continue
         if key in swept:
             parts.append(f"{_name(type(content), field.name)} varied")

@@ -8,13 +8,19 @@ from typing import Any
 
 import numpy as np
 
+from winkler.loading.loads import Depth
+from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array
 from winkler.plot.families import bar_sheet, family_sheet
 from winkler.plot.method import Contact, method_sheet, pictures_of
+from winkler.plot.panel import Sheet
 from winkler.plot.series import Series, name_in_words
 from winkler.problems.adhesion.indentation import AdhesiveSolution
-from winkler.problems.subsurface.contact_stress import ContactStressSolution
-from winkler.study.batch.outcome import Outcome
+from winkler.problems.line.indentation import LineSolution
+from winkler.problems.normal.elliptic import EllipticSolution
+from winkler.problems.normal.indentation import Indentation, IndentationSolution
+from winkler.problems.subsurface.contact_stress import ContactStress, ContactStressSolution
+from winkler.study.batch.outcome import Outcome, SolvedPoint
 from winkler.study.chapters.answer import ALONG, Answer
 from winkler.study.chapters.answer import PicturedContact as Shows
 from winkler.study.chapters.contents import answer_of
@@ -24,10 +30,11 @@ from winkler.study.language.study import Axis, Study
 from winkler.study.report.describe import content_label, setting_text, settings_text
 from winkler.study.report.extra_pictures import ExtraPicture, extra_pictures
 from winkler.study.report.figure import ReportFigure, capital, drawn
-from winkler.study.report.headline.shown_contact import shown_contact, shown_point, stressed_contact, stresses_inside
+from winkler.study.report.headline.elastic_state import MEASURES, MOST_PIXELS, pressed_map
+from winkler.study.report.headline.shown_contact import medium_of, shown_contact, shown_point, stressed_contact
 from winkler.study.report.sweep_figures import clouds, mapped, maps, parts, varied_series
 from winkler.study.report.variation import variation_shows
-from winkler.values.errors import WinklerError
+from winkler.values.errors import InvalidInput, OutsideValidity, WinklerError
 
 __all__ = ["answers_over", "figures_of"]
 
@@ -60,19 +67,63 @@ def _of_method(outcome: Outcome, contact: Contact) -> Iterator[ReportFigure]:
             yield ReportFigure(name, *captions[name], None, missing=re.sub(r"^\w+: ", "", str(error)))
 
 
-def _below(outcome: Outcome) -> Iterator[ReportFigure]:
-    """Yield the stresses over the depth below an ellipse or a strip, where they are no answer already."""
-    point = shown_point(outcome)
-    inside = stresses_inside(stressed_contact(point))
-    if inside is None or isinstance(point.solution, ContactStressSolution):
-        return
-    from winkler.plot.normal.below_contact import contact_stress_sheet
+def _stresses_inside(found: Any) -> ContactStressSolution | None:
+    """Return the greatest stresses inside homogeneous bodies; None where they are infinite or not known.
 
+    Parameters
+    ----------
+    found
+        A contact, as of `stressed_contact`.
+    """
+    if not isinstance(medium_of(found), HalfSpace):
+        return None
+    try:
+        if isinstance(found, IndentationSolution):
+            return ContactStress(Indentation(found.problem.bed, Depth(float(np.ravel(found.depth)[-1])))).solve()
+        if isinstance(found, EllipticSolution | LineSolution) and np.size(found.peak_pressure) == 1:
+            return ContactStress(found.problem).solve()
+    except (InvalidInput, OutsideValidity):
+        pass
+    return None
+
+
+def _below(outcome: Outcome) -> Iterator[ReportFigure]:
+    """Yield the stresses over the depth below a contact, where they are no answer already."""
+    point = shown_point(outcome)
+    if isinstance(point.solution, ContactStressSolution):
+        return
+    found = _stresses_over_depth(point)
+    if found is None:
+        return
     title, sentence = captions_of(sticks=False)["depths"]
+    sheet, under = found
+    sentence = f"The greatest stress of each kind at each depth, {under}." if under else sentence
     places = [settings_text(outcome.study, point.settings)] if outcome.study.sweep else []
     places += [f"load {len(point.each)} of {len(point.each)}"] if len(point.each) > 1 else []
     where = f" Shown is {', '.join(places)}." if places else ""
-    yield drawn("depths", title, f"{sentence}{where}", contact_stress_sheet(inside))
+    yield drawn("depths", title, f"{sentence}{where}", sheet)
+
+
+def _stresses_over_depth(point: SolvedPoint) -> tuple[Sheet, str] | None:
+    """Return the greatest stresses at each depth below a contact or a map, and of which; None if they are not known."""
+    from winkler.plot.normal.below_contact import contact_stress_sheet, depth_sheet
+
+    inside = _stresses_inside(stressed_contact(point))
+    if inside is not None:
+        return contact_stress_sheet(inside), ""
+    found = pressed_map(point)
+    if found is None or not isinstance(found[0], HalfSpace) or found[1].pressure.size > MOST_PIXELS:
+        return None
+    from winkler.media.interior.map_peak import greatest_by_depths
+    from winkler.problems.normal.strong_parts import solid_parts
+
+    medium, load, under = found
+    part = solid_parts(medium)[0]
+    below = greatest_by_depths((load if part.first else load.reversed()).field(part.solid.poisson), MEASURES)
+    names = [measure.__name__ for measure in MEASURES]
+    greatest = {name: (spot.value, spot.z) for name, spot in zip(names, below.greatest, strict=True)}
+    tractions = "with its tractions" if np.any(load.loads[1:]) else "without friction"
+    return depth_sheet(below.depths, dict(zip(names, below.values, strict=True)), greatest), f"{under}, {tractions}"
 
 
 # ------------------------------------------------------------------------------------- answers over what was varied
@@ -200,7 +251,7 @@ def _family(
     """Return one answer over another, one curve for each of the first points of the sweep."""
     points = outcome.solved[:MOST_CURVES]
     labels = [settings_text(outcome.study, point.settings) for point in points]
-    along, of = ([Series(name, outcome.word(name), point.answers[name]) for point in points] for name in (over, what))
+    along, of = ([Series(name, outcome.word(name), point.readable[name]) for point in points] for name in (over, what))
     count = len(outcome.solved)
     cut = f" The first {MOST_CURVES} of {count} curves are shown." if count > MOST_CURVES else ""
     title = capital(f"{name_in_words(what)} over {name_in_words(over)}")
@@ -223,7 +274,7 @@ def _loops(outcome: Outcome, answer: Answer) -> Iterator[ReportFigure]:
     worth, used = _answers_worth(outcome), set[str]()
     for over, what in answer.curves:
         if over in worth and what in worth:
-            of = [point.answers[what] for point in points]
+            of = [point.readable[what] for point in points]
             if len(of) > 1 and all(np.array_equal(one, of[0]) for one in of):
                 continue  # given, not computed
             yield _family(outcome, over, what, stem=f"answer_{what}_over_{over}" if what in used else "")

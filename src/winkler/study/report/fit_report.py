@@ -198,12 +198,12 @@ def steps(outcome: FitOutcome) -> str:
     readings = _readings(outcome)
     if not any(result.steps for result in outcome.fitted):
         nothing = "<p>Nothing: they were fitted as they were measured.</p>"
-        return section("What was done to the curves", nothing, readings)
+        return section("Corrections of the curves", nothing, readings)
     first = outcome.fitted[0]
     of_many = f"<p>In this order; the numbers are those of {safe(first.name)}.</p>" if len(outcome.fitted) > 1 else ""
     items = "".join(f"<li>{safe(step)}</li>" for step in first.steps)
     order = f"<p class='small'>correct = {safe(list(study.correct))}</p>"
-    return section("What was done to the curves", of_many, f"<ol>{items}</ol>", order, readings)
+    return section("Corrections of the curves", of_many, f"<ol>{items}</ol>", order, readings)
 
 
 def _readings(outcome: FitOutcome) -> str:

@@ -147,7 +147,7 @@ def doubts(outcome: FitOutcome) -> str:
             items.append(
                 f"<li><strong>{safe(name)}</strong>, {len(sentences)} times; the first: {safe(sentences[0])}</li>"
             )
-    return section("What speaks against the numbers", f"<ul>{''.join(items)}</ul>")
+    return section("Doubts about the numbers", f"<ul>{''.join(items)}</ul>")
 
 
 def failures(outcome: FitOutcome) -> str:

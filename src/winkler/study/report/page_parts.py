@@ -123,7 +123,7 @@ def origin(made: Provenance, hashed: str, *parts: str) -> str:
     lines = [
         f'<tr><td>{safe(name)}</td><td class="wrap"><code>{safe(content)}</code></td></tr>' for name, content in rows
     ]
-    return section("What made these numbers", table([], lines), *parts)
+    return section("Version and origin of the numbers", table([], lines), *parts)
 
 
 def code_section(study: Study | FitStudy, name: str) -> str:

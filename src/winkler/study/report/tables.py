@@ -95,7 +95,7 @@ def given_rows(given_inputs: Iterable[Input]) -> list[str]:
 
 def answer_section(outcome: Outcome) -> str:
     """Return the answers: large numbers and a list for one load, a table for many."""
-    columns = outcome.table()
+    columns = outcome.readable_table()
     rows = len(columns[0].content)
     if rows == 1:
         return section("Results", headline_section(outcome), _single(columns), _events(outcome))
@@ -251,7 +251,7 @@ def failures(outcome: Outcome) -> str:
     if not stopped:
         return _without(outcome)
     reasons = [(settings_text(outcome.study, point.settings), point.stopped) for point in stopped[:MOST_ROWS]]
-    return section("Where a march ended early", reason_list(reasons, MOST_ROWS, CSV)[0]) + _without(outcome)
+    return section("Where the calculation ended early", reason_list(reasons, MOST_ROWS, CSV)[0]) + _without(outcome)
 
 
 def _without(outcome: Outcome) -> str:
@@ -289,7 +289,7 @@ def expected_section(verdicts: Iterable[tuple[ComparedNumber, str]]) -> str:
         lead += f" The first {MOST_ROWS} are shown, those that were missed first."
     heads = ["what", "", "#expected", "#came out", "#deviation", "#allowed"]
     rows = [_verdict(*pair) for pair in ranked[:MOST_ROWS]]
-    return section("What was expected", f"<p>{lead}</p>", table(heads, rows))
+    return section("Expected numbers", f"<p>{lead}</p>", table(heads, rows))
 
 
 def _verdict(verdict: ComparedNumber, point: str) -> str:

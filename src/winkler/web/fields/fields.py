@@ -29,7 +29,10 @@ __all__ = ["FormFields"]
 
 NONE = "—"
 PLAIN = {
+    "problem.bed": "shape and bodies",
+    "problem.contact": "how the bodies touch",
     "bed.profile": "what presses",
+    "bed.medium": "the bodies",
     "medium.first": "into what",
     "medium.second": "of what the pressing body is made",
     "problem.load": "how hard",
@@ -156,7 +159,7 @@ class FormFields:
             self._range(entry)
             return
         with self.marked(entry.path, ui.element("div").classes("entry")):
-            field = LiveInput(value=entry.text, placeholder="" if entry.required else "left out")
+            field = LiveInput(value=entry.text, placeholder="" if entry.required else "optional")
             menu = UnitMenu(entry, field, self.actions)
             unit = "" if menu.button else entry.unit
             with field.add_slot("label"):

@@ -100,7 +100,7 @@ QUESTIONS = (
     ),
     FrontExample(
         "How long does it last?",
-        "How deep has a sliding ball worn after a given way?",
+        "How deep has a sliding ball worn after a given distance?",
         "sliding_wear",
         {SECOND: dict(STEEL)},
     ),

@@ -116,9 +116,7 @@ def scene(outcome: Outcome, moments: Moments, moment: int, previous: View, *, st
         if not here and which:
             remark = f"The pictures of the method show {which}."
         elif here and not moments.states:
-            remark = (
-                "The pictures of the method show the contact at this depth, its springs along the surface left out."
-            )
+            remark = "The pictures of the method show the contact at this depth, without friction."
     if outcome.study.sweep and contact is not None:
         settings = settings_text(outcome.study, point.settings)
         remark = f"The pictures below are of {settings}, the last point of the sweep. {remark}".rstrip()

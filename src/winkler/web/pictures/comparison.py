@@ -32,7 +32,7 @@ def numbers_of(outcome: Outcome) -> tuple[NamedNumber, ...]:
     swept = {axis.key for axis in outcome.study.sweep}
     return tuple(
         NamedNumber(name_in_words(column.name), column.word.symbol, column.word.unit, float(column.content[-1]))
-        for column in outcome.table()
+        for column in outcome.readable_table()
         if column.word.unit is not None and column.name not in swept and column.content.dtype.kind == "f"
     )
 
@@ -68,7 +68,7 @@ def _differences(a: dict[str, Any], b: dict[str, Any]) -> Iterator[str]:
     before, after = (dict(_leaves(study, "")) for study in (a, b))
     for key in dict.fromkeys((*before, *after)):
         if before.get(key) != after.get(key) and key.partition(".")[0] not in NO_INPUTS:
-            old, new = (field_text(one[key]) if key in one else "left out" for one in (before, after))
+            old, new = (field_text(one[key]) if key in one else "not given" for one in (before, after))
             if key.endswith(".kind"):
                 key, old, new = key.removesuffix(".kind"), old.replace("_", " "), new.replace("_", " ")
             yield f"{key_in_words(key)} {old} → {new}"

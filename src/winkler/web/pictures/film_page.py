@@ -59,7 +59,7 @@ def with_film(page: str, point: SolvedPoint) -> str:
         for place, sheet in enumerate(sheets)
     ]
     slider = f'<input type="range" min="0" max="{len(sheets) - 1}" value="0" aria-label="Moment" hidden>'
-    film = section("What moves", f'<figure class="film">{slider}{"".join(frames)}</figure>')
+    film = section("Animation", f'<figure class="film">{slider}{"".join(frames)}</figure>')
     head, body = page.split("</style>", 1)
     above, below = body.split(f"<section>\n{BEFORE}", 1)
     inside, end = f"{above}{film}\n<section>\n{BEFORE}{below}".rsplit("</body>", 1)

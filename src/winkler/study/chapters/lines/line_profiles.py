@@ -109,7 +109,7 @@ LINE_PROFILES = Chapter(
             load={"kind": "line_force", "force_per_length": "200 N/mm"},
             picture=Caption(
                 "strips",
-                "The strips",
+                "The strips of contact",
                 "Pressure, shape and force of each strip; of many loads contact length, pressures, number of strips.",
             ),
             curves=(("force_per_length", "contact_length"), ("force_per_length", "peak_pressure")),

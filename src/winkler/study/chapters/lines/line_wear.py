@@ -62,7 +62,7 @@ LINE_WEAR = Chapter(
             picture=Caption(
                 "line_fretting",
                 "Worn by fretting",
-                "Profiles, worn depth and pressure after some of the cycles; contact, core, volume and loss over them.",
+                "Profiles, worn depth and pressure after some of the cycles; contact, stick zone, volume and loss over them.",
             ),
             curves=(("cycles", "worn_volume_per_length"), ("cycles", "half_width"), ("cycles", "worn_depth")),
             pictured=PicturedContact.NONE,
@@ -113,7 +113,7 @@ LINE_WEAR = Chapter(
             picture=Caption(
                 "line_limit",
                 "Where wear ends",
-                "The profile in the end, what was worn off, and the pressure, which only the core bears then.",
+                "The profile in the end, what was worn off, and the pressure, which the stick zone alone carries then.",
             ),
             pictured=PicturedContact.NONE,
             formulas=(MODULUS, LOAD_PROFILE, LOAD, PRESSURE, STUCK, LAST_PRESSURE, LAST_SHAPE),

@@ -113,7 +113,7 @@ PLASTIC = Chapter(
             dent_error="5 um",
             picture=Caption(
                 "dent_strength",
-                "The dent and the strength that it tells",
+                "The dent and the strength that follows from it",
                 "Force and contact radius over the depth of a body with this strength, and its dent.",
             ),
             pictured=PicturedContact.NONE,

@@ -43,7 +43,7 @@ def further_section(outcome: FitOutcome) -> str:
     if not items:
         return ""
     tables = [_models(outcome), _shared(outcome)]
-    return section("What else the curves say", f"<ul>{items}</ul>", *tables)
+    return section("More from the curves", f"<ul>{items}</ul>", *tables)
 
 
 def _models(outcome: FitOutcome) -> str:

@@ -1,41 +1,59 @@
-"""The elastic contact beside an answer: greatest pressure, greatest von Mises stress and its depth, load of yield.
+"""The stresses beside an answer: greatest pressure, von Mises' and shear stress with their depths, load of yield.
 
-Stresses are those of the contact that is pressed without friction.  Three forms are known: springs of round contacts,
-the ellipse of Hertz by its semi-axes, and strips by load per length and half-width.  A strip whose half-width is not
-that of the elastic one under its load (worn, viscoelastic, adhesive) has none here.
+One search serves all contacts whose stresses are known: springs of round contacts, Hertz's ellipse, strips, rollers by
+their most pressed slice, height maps and patches of profiles with their tractions, bodies that relax, and metals that
+have yielded, whose greatest von Mises stress is the strength.  A strip whose half-width is not that of the elastic one
+under its load (worn, viscoelastic, adhesive) has none.  Only the modules of the contact at hand are loaded.
 """
 
 from __future__ import annotations
 
 import functools
+import itertools
 import math
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from winkler.foundation.bed import PressedSprings
-from winkler.foundation.line import LineFoundation
-from winkler.loading.loads import HalfWidth, LineForce
 from winkler.media.halfspace import HalfSpace
-from winkler.problems.line.indentation import LineIndentation
-from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
-from winkler.problems.normal.greatest_stress import greatest_stress
-from winkler.problems.normal.indentation import IndentationSolution
-from winkler.problems.normal.strong_parts import StrongPart, solid_parts
-from winkler.problems.normal.yielding import YieldOnset, onset_of_part
-from winkler.profiles.power import Paraboloid
+from winkler.media.interior import tensor
+from winkler.numerics.types import Array
+from winkler.problems.normal.strong_parts import StrongPart, solid_parts, strong_parts
 from winkler.study.batch.outcome import SolvedPoint
-from winkler.study.report.headline.shown_contact import stressed_contact
-from winkler.values.errors import WinklerError
+from winkler.study.report.headline.shown_contact import medium_of, stressed_contact
+from winkler.values.errors import OutsideValidity, WinklerError
+from winkler.values.readable import with_unit
 
-__all__ = ["ElasticState", "elastic_state"]
+__all__ = ["MEASURES", "MOST_PIXELS", "ElasticState", "elastic_state", "pressed_map"]
 
 SAME_WIDTH = 1e-6
 """Relative difference of half-widths up to which a strip is the elastic one."""
+RADII = 201
+"""Distances from the axis among which the greatest pressure of bodies that relax is sought."""
+FRICTIONLESS = "without friction"
+BESIDE, BELOW = np.linspace(-1.3, 1.3, 14), np.geomspace(0.02, 2.5, 20)
+"""Places across strips and below them, in half-widths, from which the greatest stress is climbed to."""
+MOST_PIXELS = 256 * 256
+"""Larger maps take seconds: their stresses are sought only if a strength was given, for which they are known."""
+ROUND = ("Paraboloid", "Sphere", "NoneType")
+"""Profiles whose elastic stress is a power of the load; ellipses have none of their own."""
+MEASURES = (tensor.von_mises, tensor.max_shear, tensor.orthogonal_shear)
+
+
+class Deep(NamedTuple):
+    """A greatest stress [Pa], and how far below the surface it is [m]."""
+
+    value: float
+    depth: float
+
+
+Search = Callable[[StrongPart, tensor.Measure], Deep]
 
 
 class ElasticState(NamedTuple):
-    """The elastic contact of an answer.
+    """The stresses of an answer.
 
     Parameters
     ----------
@@ -44,7 +62,7 @@ class ElasticState(NamedTuple):
     von_mises
         Greatest von Mises stress [Pa], outside a tenth of the contact radius around a sharp place.
     depth
-        How far below the surface [m].
+        How far below the surface [m]; not a number where that is not known.
     body
         In which body or layer.
     sharp
@@ -55,6 +73,12 @@ class ElasticState(NamedTuple):
         Load at which that body yields; not a number where it is not known.
     unit
         Of the load: N, or N/m of a strip.
+    under
+        Which contact it is, or with which tractions.
+    shears
+        Greatest shear stress, and greatest shear stress along the surface; empty where they are not known.
+    load
+        Load of the contact [N, N/m]; not a number where the load of yield is not known.
     """
 
     peak_pressure: float
@@ -65,10 +89,33 @@ class ElasticState(NamedTuple):
     strength: float
     yield_load: float
     unit: str
+    under: str = FRICTIONLESS
+    shears: tuple[Deep, ...] = ()
+    load: float = math.nan
+
+    @property
+    def share(self) -> float:
+        """The greatest von Mises stress over the strength; zero where none was given."""
+        return self.von_mises / self.strength
+
+    @property
+    def margin(self) -> float:
+        """The load of yield over that of the contact; where it is not known, the strength over the stress."""
+        if not math.isnan(self.yield_load):
+            return self.yield_load / self.load if self.load > 0.0 else math.inf
+        return 1.0 / self.share if self.share > 0.0 else math.inf
+
+    def place(self, digits: int = 2) -> str:
+        """Return where the greatest von Mises stress is, for a sentence."""
+        if math.isnan(self.depth):
+            return self.body
+        deep = f"{with_unit(self.depth, 'm', digits)} below the surface" if self.depth else "at the surface"
+        return f"{deep}, {self.body}"
 
 
+@functools.lru_cache(maxsize=2)  # headline, summary and cards ask for one point
 def elastic_state(point: SolvedPoint) -> ElasticState | None:
-    """Return the elastic contact that the pictures of a point show; None where there is none, or it is not known.
+    """Return the stresses of the contact that a point holds; None where there is none, or they are not known.
 
     Parameters
     ----------
@@ -77,28 +124,56 @@ def elastic_state(point: SolvedPoint) -> ElasticState | None:
     """
     try:
         contact = stressed_contact(point)
-        if isinstance(contact, IndentationSolution):
-            return _round(contact)
         problem = getattr(contact, "problem", point.problem)
-        return _ellipse(contact, problem) or _strip(contact, problem)
+        if type(getattr(problem, "bed", None)).__name__ == "Foundation" and hasattr(contact, "pressed"):
+            return _round(contact)
+        for form in (_yielded, _ellipse, _strip, _strips, _roller):
+            if (found := form(contact, problem)) is not None:
+                return found
+        return _map(point) or _relaxing(point)
     except WinklerError:  # the contact is sound, its stresses are not known
         return None
 
 
-def _nearest(found: list[tuple[StrongPart, Any]]) -> tuple[StrongPart, Any]:
-    """Return the part that is nearest to its strength; of parts without one, the most stressed."""
-    return max(found, key=lambda one: (one[1].value / one[0].solid.strength, one[1].value))
+def _state(
+    parts: tuple[StrongPart, ...], find: Search, peak: float, unit: str, under: str = FRICTIONLESS
+) -> tuple[StrongPart, ElasticState]:
+    """Return the part that is nearest to its strength, of parts without one the most stressed, and its stresses."""
+    found = [(part, find(part, tensor.von_mises)) for part in parts]
+    part, (stress, depth) = max(found, key=lambda one: (one[1].value / _strength(one[0]), one[1].value))
+    shears = []
+    for measure in MEASURES[1:]:
+        try:
+            shears.append(find(part, measure))
+        except WinklerError:  # of an ellipse or of layers some kinds are not known
+            break
+    strength = _strength(part)
+    return part, ElasticState(peak, stress, depth, part.name, "", strength, math.nan, unit, under, tuple(shears))
 
 
-def _round(contact: IndentationSolution) -> ElasticState | None:
+def _strength(part: StrongPart) -> float:
+    """Return the strength of a part [Pa]; infinite of solids that have none, as those that relax."""
+    return float(getattr(part.solid, "strength", math.inf))
+
+
+def _round(contact: Any) -> ElasticState | None:
+    from winkler.problems.normal.greatest_stress import greatest_stress
+
     pressed = contact.pressed
     parts = solid_parts(pressed.bed.medium)
     if type(pressed) is not PressedSprings or not parts or pressed.radius <= 0.0:
         return None
-    part, place = _nearest([(part, greatest_stress(pressed, _alike(parts, part, pressed))) for part in parts])
-    peak = float(np.max(contact.peak_pressure))
-    onset = _onset(pressed.bed, part, place.sharp) if part.solid.strength < math.inf else math.nan
-    return ElasticState(peak, place.value, place.z, part.name, place.sharp, part.solid.strength, onset, "N")
+    sharp = {part: greatest_stress(pressed, _alike(parts, part, pressed)).sharp for part in parts}
+
+    def find(part: StrongPart, measure: tensor.Measure) -> Deep:
+        place = greatest_stress(pressed, _alike(parts, part, pressed), measure=measure)
+        return Deep(place.value, place.z)
+
+    part, state = _state(parts, find, float(np.max(contact.peak_pressure)), "N")
+    onset = _onset(pressed.bed, part, sharp[part]) if part.solid.strength < math.inf else math.nan
+    shears = () if sharp[part] else state.shears
+    load = float(np.max(contact.force))
+    return state._replace(sharp=sharp[part], yield_load=onset, shears=shears, load=load)
 
 
 def _alike(parts: tuple[StrongPart, ...], part: StrongPart, pressed: PressedSprings) -> StrongPart:
@@ -111,17 +186,61 @@ def _alike(parts: tuple[StrongPart, ...], part: StrongPart, pressed: PressedSpri
 @functools.lru_cache(maxsize=64)
 def _onset(bed: Any, part: StrongPart, sharp: str) -> float:
     """Return the force at which the part nearest to its strength yields [N]; not a number where that is not known."""
+    from winkler.problems.normal.yielding import YieldOnset, onset_of_part
+
     try:
         return 0.0 if sharp else onset_of_part(YieldOnset(bed), 1, part).force
     except WinklerError:
         return math.nan
 
 
+def _yielded(solution: Any, problem: Any) -> ElasticState | None:
+    """Return what holds of metals that are pressed beyond their first yield, and below it the elastic stress."""
+    load = next((name for name in ("force", "force_per_length") if hasattr(solution, name)), "")
+    onset, parts = getattr(problem, "yield_force", math.nan), strong_parts(medium_of(solution))
+    if not (load and parts and isinstance(onset, float) and hasattr(solution, "residual_depth")):
+        return None
+    greatest = float(np.max(getattr(solution, load)))
+    unit, power = ("N", 1.0 / 3.0) if load == "force" else ("N/m", 0.5)
+    part, times = min(parts, key=lambda one: one.solid.strength), greatest / onset if onset > 0.0 else math.inf
+    if times < 1.0 and type(getattr(problem.bed, "profile", None)).__name__ not in ROUND:
+        return None  # only below balls, ellipses and cylinders the stress is a power of the load
+    strength, hardens = part.solid.strength, type(part.solid).__name__ != "Elastic"
+    under = FRICTIONLESS
+    if times >= 1.0:
+        under = f"where it yields{' and hardens: this or more' * hardens}; residual stresses are not computed"
+    stress = min(times**power, 1.0) * strength
+    return ElasticState(math.nan, stress, math.nan, part.name, "", strength, onset, unit, under, (), greatest)
+
+
+def _ellipse(solution: Any, problem: Any) -> ElasticState | None:
+    axes = [getattr(solution, name, None) for name in ("longitudinal_semi_axis", "lateral_semi_axis", "peak_pressure")]
+    medium = getattr(problem, "medium", None)
+    if any(axis is None or np.size(axis) != 1 for axis in axes) or not isinstance(medium, HalfSpace):
+        return None
+    from winkler.problems.normal.elliptic_fields import greatest_below_ellipse
+
+    first, second, peak = (float(axis) for axis in axes)  # type: ignore[arg-type]
+
+    def find(part: StrongPart, measure: tensor.Measure) -> Deep:
+        spot = greatest_below_ellipse(measure.__name__, first, second / first, peak, part.solid.poisson, (0.0, 0.0))
+        return Deep(spot.value, spot.z)
+
+    _, state = _state(solid_parts(medium), find, peak, "N")
+    force = 2.0 / 3.0 * math.pi * first * second * peak
+    return state._replace(yield_load=force / state.share**3 if state.share else math.nan, load=force)
+
+
 def _strip(solution: Any, problem: Any) -> ElasticState | None:
     bed = getattr(problem, "bed", None)
     half_width, force = (getattr(solution, name, None) for name in ("half_width", "force_per_length"))
-    if type(bed) is not LineFoundation or not isinstance(bed.medium, HalfSpace) or half_width is None:
+    if type(bed).__name__ != "LineFoundation" or half_width is None or not isinstance(bed.medium, HalfSpace):
         return None
+    from winkler.loading.loads import HalfWidth, LineForce
+    from winkler.problems.line.indentation import LineIndentation
+    from winkler.problems.line.peak_pressure import rim_load
+    from winkler.problems.line.stress import LineContact
+
     widths = np.ravel(half_width)
     forces = widths if force is None else np.resize(force, widths.shape)
     widest = int(np.argmax(forces))
@@ -130,26 +249,162 @@ def _strip(solution: Any, problem: Any) -> ElasticState | None:
     elastic = LineIndentation(bed, given).solve()
     if not width > 0.0 or not math.isclose(float(elastic.half_width), width, rel_tol=SAME_WIDTH):
         return None
-    found = [(part, elastic.greatest_stress(below=part.first)) for part in solid_parts(bed.medium)]
-    part, place = _nearest(found)
-    onset = math.nan
-    if part.solid.strength < math.inf and isinstance(bed.profile, Paraboloid):
-        onset = float(elastic.force_per_length) * (part.solid.strength / place.value) ** 2  # all cylinders are similar
     peak = float(elastic.peak_pressure)
-    return ElasticState(peak, place.value, abs(place.z), part.name, "", part.solid.strength, onset, "N/m")
-
-
-def _ellipse(solution: Any, problem: Any) -> ElasticState | None:
-    axes = [getattr(solution, name, None) for name in ("longitudinal_semi_axis", "lateral_semi_axis", "peak_pressure")]
-    medium = getattr(problem, "medium", None)
-    if any(axis is None for axis in axes) or not isinstance(medium, HalfSpace):
+    if math.isinf(peak):
         return None
-    first, second, peak = (float(axis) for axis in axes)  # type: ignore[arg-type]
-    slenderness = min(first, second) / max(first, second)
-    found = [(part, greatest_under_ellipse(slenderness, part.solid.poisson)) for part in solid_parts(medium)]
-    part, place = _nearest(found)
-    stress = place.value * peak
-    force = 2.0 / 3.0 * math.pi * first * second * peak
-    onset = force * (part.solid.strength / stress) ** 3 if part.solid.strength < math.inf else math.nan
-    below = place.depth * min(first, second)
-    return ElasticState(peak, stress, below, part.name, "", part.solid.strength, onset, "N")
+    edge = rim_load(bed, float(elastic.force_per_length), width)
+    find = _below_strip(lambda one: LineContact(bed, width, edge, one.solid.poisson, 0.0))
+    _, state = _state(solid_parts(bed.medium), find, peak, "N/m")
+    similar = bed.hertzian and state.share > 0.0  # all cylinders are similar
+    load = float(elastic.force_per_length)
+    return state._replace(yield_load=load / state.share**2 if similar else math.nan, load=load)
+
+
+def _below_strip(contact_of: Callable[[StrongPart], Any]) -> Search:
+    """Return the search below a strip of plane strain."""
+    from winkler.problems.line.greatest_stress import greatest, in_strip
+
+    def find(part: StrongPart, measure: tensor.Measure) -> Deep:
+        place = greatest(contact_of(part), in_strip(measure))
+        return Deep(place.value, abs(place.z))
+
+    return find
+
+
+def _strips(solution: Any, problem: Any) -> ElasticState | None:
+    """Return the stresses below the most pressed of the strips of a profile, or below each of the strips of a wave."""
+    if not (hasattr(solution, "strip_peaks") or hasattr(solution, "closure_pressure")):
+        return None
+    medium, peak = medium_of(solution), float(solution.peak_pressure)
+    if math.isinf(peak):
+        return None
+    from winkler.numerics.equations.highest import highest
+    from winkler.problems.line.greatest_stress import in_strip
+
+    if hasattr(solution, "edges"):
+        low, high = np.reshape(solution.edges, (-1, 2))[int(np.argmax(solution.strip_peaks))]
+    else:
+        low, high = -solution.half_width, solution.half_width
+    half = 0.5 * float(high - low)
+    x, z = float(low) + half * (1.0 + BESIDE), half * BELOW
+
+    def find(part: StrongPart, measure: tensor.Measure) -> Deep:
+        def stress(across: Array, down: Array) -> Array:
+            return in_strip(measure)(solution.stresses(across, down if part.first else -down))
+
+        top = highest(stress, [x, z])
+        return Deep(top.value, top.place[1])
+
+    under = "below the most pressed strip, without friction" if hasattr(solution, "edges") else FRICTIONLESS
+    return _state(solid_parts(medium), find, peak, "N/m", under)[1]
+
+
+def _roller(solution: Any, problem: Any) -> ElasticState | None:
+    """Return the stresses of the most pressed slice of a roller, taken as endless; of its middle if ends are sharp."""
+    medium, last = getattr(problem, "medium", None), getattr(solution, "last", solution)
+    if not isinstance(medium, HalfSpace) or not hasattr(last, "middle_pressure"):
+        return None
+    from winkler.foundation.line import LineFoundation
+    from winkler.problems.line.stress import LineContact
+    from winkler.profiles.power import Paraboloid
+
+    sharp = math.isinf(last.peak_pressure)
+    pressure = last.middle_pressure if sharp else last.peak_pressure
+    if not pressure > 0.0:
+        return None
+    bed = LineFoundation(Paraboloid(problem.radius), medium)
+    width = 2.0 * problem.radius * pressure / medium.modulus
+    under = "in the middle, the sharp ends left aside" if sharp else "in the most pressed slice"
+    find = _below_strip(lambda one: LineContact(bed, width, 0.0, one.solid.poisson, 0.0))
+    return _state(solid_parts(medium), find, last.peak_pressure, "N", under)[1]
+
+
+def _map(point: SolvedPoint) -> ElasticState | None:
+    """Return the stresses below a height map, or below the most pressed patch of two profiles, with their tractions."""
+    found = pressed_map(point)
+    if found is None or not isinstance(found[0], HalfSpace):
+        return None
+    from winkler.media.interior.map_peak import greatest_by_depths
+    from winkler.problems.subsurface.below_surface import greatest_stress
+
+    medium, load, under = found
+    if load.pressure.size > MOST_PIXELS and not strong_parts(medium):
+        return None
+
+    @functools.cache
+    def on_grid(part: StrongPart) -> dict[tensor.Measure, Deep]:
+        acting = load if part.first else load.reversed()
+        field = acting.field(part.solid.poisson)
+        spots = greatest_by_depths(field, MEASURES).greatest
+        found = {measure: Deep(spot.value, spot.z) for measure, spot in zip(MEASURES, spots, strict=True)}
+        if part.solid.strength < math.inf:  # between the pixels, as the statement on yield
+            spot = greatest_stress(acting, part.solid)
+            here = tensor.Tensor(
+                *field.at_places(np.array([[spot.x, spot.y, spot.z]]) - np.append(load.corner, 0.0))[:6]
+            )
+            found = {measure: max(found[measure], Deep(float(measure(here)[0]), spot.z)) for measure in MEASURES}
+        return found
+
+    def find(part: StrongPart, measure: tensor.Measure) -> Deep:
+        return on_grid(part)[measure]
+
+    tractions = "with its tractions" if np.any(load.loads[1:]) else FRICTIONLESS
+    return _state(solid_parts(medium), find, float(np.max(load.pressure)), "N", f"{under}, {tractions}")[1]
+
+
+def pressed_map(point: SolvedPoint) -> tuple[Any, Any, str] | None:
+    """Return the bodies, what acts on the first of them, and of which map or patch; None where no map is pressed.
+
+    Parameters
+    ----------
+    point
+        A solved point.
+    """
+    for holder in (point.solution, point.each[-1], getattr(point.each[-1], "contact", None)):
+        patches = getattr(holder, "patches", ())
+        if isinstance(patches, tuple) and patches:
+            most = max(patches, key=lambda one: float(np.max(one.surface_load.pressure)))
+            return getattr(most, "patch", most).medium, most.surface_load, "most pressed patch"
+        if worst := max(getattr(holder, "heaviest", ()), key=_load_of, default=None):
+            rough = holder.problem.topography
+            load = type(holder.surface_load).of_map(
+                rough.lengths, worst.pressure, worst.traction, periodic=rough.periodic
+            )
+            return holder.problem.medium, load, f"on this grid, state {worst.index + 1}"
+        if hasattr(holder, "surface_load"):
+            medium = medium_of(holder)
+            return holder._medium if medium is None else medium, holder.surface_load, "on this grid"
+    return None
+
+
+def _load_of(state: Any) -> float:
+    """Return the greatest of p^2 + 3 tau^2 in a pixel [Pa^2], von Mises' of a traction alone."""
+    return float(np.max(state.pressure**2 + 3.0 * np.sum(state.traction**2, axis=0)))
+
+
+def _relaxing(point: SolvedPoint) -> ElasticState | None:
+    """Return the stresses of bodies that relax, under the greatest force of a path.
+
+    Pressures decide: stresses below given pressures depend on Poisson's ratio alone, which does not relax.
+    """
+    solution, problem = point.solution, point.problem
+    medium = medium_of(solution)
+    if type(solution).__name__ != "ViscoelasticSolution" or type(medium).__name__ != "ViscoelasticHalfSpace":
+        return None
+    from winkler.problems.normal.greatest_stress import greatest_stress
+
+    index = int(np.argmax(solution.force))
+    state = next(itertools.islice(problem.steps(), index, None))
+    bodies = ((medium.first, "first body", True), (medium.second, "second body", False))
+    parts = tuple(StrongPart(name, body, first) for body, name, first in bodies if hasattr(body, "poisson"))
+    pressed = state.pressed
+
+    def find(part: StrongPart, measure: tensor.Measure) -> Deep:
+        place = greatest_stress(pressed, part, measure=measure)
+        if place.sharp:
+            raise OutsideValidity(place.sharp)
+        return Deep(place.value, place.z)
+
+    peak = float(np.max(state.pressure(np.linspace(0.0, state.radius, RADII, endpoint=False))))
+    under = f"{FRICTIONLESS}, at the greatest force, after {with_unit(float(state.time), 's')}"
+    return _state(parts, find, peak, "N", under)[1]

@@ -9,11 +9,10 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.numerics.types import Array
-from winkler.plot.series import name_in_words
 from winkler.study.batch.outcome import Outcome
 from winkler.study.chapters.contents import answer_of
 from winkler.study.report.describe import inputs, settings_text
-from winkler.values.readable import with_unit
+from winkler.values.readable import name_in_words, with_unit
 from winkler.values.vocabulary import Word
 
 __all__ = ["ALIKE", "SoughtNumber", "as_share", "numbers_named", "sought_numbers"]
@@ -172,7 +171,7 @@ def sought_numbers(outcome: Outcome) -> tuple[SoughtNumber, ...]:
     names = record.headline or tuple(reversed([name for name in outcome.answers if outcome.word(name).unit]))
     varied = {axis.key.rpartition(".")[2] for axis in study.sweep}
     words = {name: outcome.word(name) for name in names if name in outcome.answers and name not in varied}
-    found = numbers_named(outcome, words, [point.answers for point in outcome.solved])
+    found = numbers_named(outcome, words, [point.readable for point in outcome.solved])
     return tuple(sorted(found, key=lambda one: one.prescribed))
 
 

@@ -10,15 +10,22 @@ from typing import Any
 import numpy as np
 
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.problems.normal.strong_parts import strong_parts
 from winkler.study.batch.outcome import Outcome
 from winkler.study.chapters.contents import answer_of
 from winkler.study.language.catalogue import CATALOGUE
+from winkler.study.report.describe import settings_text
 from winkler.study.report.figure import capital
 from winkler.study.report.headline.advice import ADVICE, Doubt, worst_doubt
-from winkler.study.report.headline.declared import WORDS, numbers_of_contact
 from winkler.study.report.headline.elastic_state import ElasticState, elastic_state
 from winkler.study.report.headline.numbers import SoughtNumber, as_share, sought_numbers
-from winkler.study.report.headline.shown_contact import shown_contact, shown_point
+from winkler.study.report.headline.shown_contact import (
+    medium_of,
+    most_pressed,
+    shown_contact,
+    shown_point,
+)
+from winkler.study.report.headline.summary import WORDS, numbers_of_contact
 from winkler.study.report.markup import badge, safe, with_fixed_units
 from winkler.study.report.mathml import symbol
 from winkler.values.errors import WinklerError
@@ -27,6 +34,8 @@ from winkler.values.validity import Assumption, Standing
 
 __all__ = ["doubt_line", "doubt_of", "headline", "headline_section"]
 
+MOST_POINTS = 24
+"""Points of a sweep up to which all of them are compared with their strength."""
 VON_MISES = r"\sigma_{vM}"
 YIELDED = f"What to do: {ADVICE[Assumption.ELASTIC]}."
 
@@ -42,8 +51,7 @@ def headline_section(outcome: Outcome) -> str:
     numbers = sought_numbers(outcome)
     if not numbers:
         return ""
-    verdict, state = _verdict(outcome), _state(outcome)
-    sentence = _lead(outcome, numbers, state)
+    verdict, sentence = _verdict(outcome), _lead(outcome, numbers)
     if verdict:
         sentence = f"The verdict on the body: {verdict}. {sentence}"
     outside = doubt_of(outcome).standing is Standing.OUTSIDE
@@ -57,7 +65,7 @@ def headline_section(outcome: Outcome) -> str:
     shown = {one.name for one in numbers if not one.is_range}
     if "z" in outcome.answers:  # the answer itself is a place of the greatest stress
         shown |= {"von_mises"}
-    return f'{lead}<div class="cards">{cards}</div>{_beside(state, shown, _force(numbers))}'
+    return f'{lead}<div class="cards">{cards}</div>{_beside(_state(outcome), shown)}'
 
 
 def headline(outcome: Outcome) -> str:
@@ -71,36 +79,55 @@ def headline(outcome: Outcome) -> str:
     numbers = sought_numbers(outcome)
     if not numbers:
         return ""
-    return with_readable_numbers(_lead(outcome, numbers, _state(outcome)))
+    return with_readable_numbers(_lead(outcome, numbers))
 
 
-def _lead(outcome: Outcome, numbers: tuple[SoughtNumber, ...], state: ElasticState | None) -> str:
+def _lead(outcome: Outcome, numbers: tuple[SoughtNumber, ...]) -> str:
     """Return the sought number in a sentence, and how far the contact is from yielding unless that was sought."""
     is_sought = bool(answer_of(shown_point(outcome).problem).event)
-    margin = _margin(state, _force(numbers)) if state and not is_sought else ""
-    return f"{_sentence(outcome, numbers)} {margin}".rstrip()
+    is_sought |= any(one.name == "von_mises" for one in numbers)
+    return f"{_sentence(outcome, numbers)} {'' if is_sought else _margin(outcome)}".rstrip()
 
 
 def _state(outcome: Outcome) -> ElasticState | None:
     return None if outcome.study.sweep else elastic_state(shown_point(outcome))
 
 
-def _force(numbers: tuple[SoughtNumber, ...]) -> float:
-    """Return the one normal force of a headline [N, N/m]; not a number where there are several, or none."""
-    forces = [one.last for one in numbers if one.name in ("force", "force_per_length") and not one.many]
-    return forces[0] if len(forces) == 1 else math.nan
+def _margin(outcome: Outcome) -> str:
+    """Return how far a contact is from yielding as a sentence; empty where that is not known.
 
-
-def _margin(state: ElasticState, force: float) -> str:
-    """Return at which multiple of its load a contact yields, and where, as a sentence; empty where it is not known."""
-    if not (state.yield_load > 0.0 and force > 0.0):
+    Of a sweep it is the point that is nearest to yielding, of one with many points that which is pressed most.
+    """
+    if not outcome.study.sweep:
+        state = elastic_state(shown_point(outcome))
+        return _margin_of(state) if state else ""
+    strong = [point for point in outcome.solved if strong_parts(medium_of(point.problem))]
+    if not strong or outcome.study.design.draws:
         return ""
-    times = state.yield_load / force
-    under = f"{with_unit(state.depth, 'm', 2)} below the surface, {state.body}"
+    points = strong if len(strong) <= MOST_POINTS else [most_pressed(strong, [one.readable for one in strong])]
+    states = [(state, point) for point in points if (state := elastic_state(point)) and math.isfinite(state.strength)]
+    if not states:
+        return ""
+    state, nearest = min(states, key=lambda one: one[0].margin)
+    which = "nearest to yielding" if len(points) == len(strong) else "pressed most"
+    sentence = _margin_of(state)
+    return sentence and f"The point {settings_text(outcome.study, nearest.settings)} is {which}: i{sentence[1:]}"
+
+
+def _margin_of(state: ElasticState) -> str:
+    """Return at which multiple of its load a contact yields, or its stress over the strength, and where."""
+    if math.isinf(state.strength) or state.sharp or not 0.0 < state.margin < math.inf:
+        return ""
+    if math.isnan(state.depth):
+        return f"Its greatest load is {1.0 / state.margin:.3g} times that of the first yield."
+    if math.isnan(state.yield_load) and state.margin > 1.0:
+        return f"Its greatest stress is {state.share:.3g} of the strength, {state.place()}."
+    if math.isnan(state.yield_load):
+        return f"It has yielded: its greatest elastic stress is {state.share:.3g} times the strength, {state.place()}."
     return (
-        f"It yields at {times:.3g} times this load, {under}."
-        if times > 1.0
-        else (f"It has yielded: this is {1.0 / times:.3g} times the load at which it does, {under}.")
+        f"It yields at {state.margin:.3g} times this load, {state.place()}."
+        if state.margin > 1.0
+        else f"It has yielded: this is {1.0 / state.margin:.3g} times the load at which it does, {state.place()}."
     )
 
 
@@ -168,7 +195,8 @@ def _sentence(outcome: Outcome, numbers: tuple[SoughtNumber, ...]) -> str:
             where += f"and {sought.end} "
     elif outcome.study.sweep and len(outcome.solved) > 1:
         all_points = f" at all {len(outcome.solved)} points"
-    clause = "" if sought.is_range or sought.ends_at_zero else _clause(outcome, record.says.get(sought.name, ""))
+    whole = sought.is_range or sought.ends_at_zero or outcome.study.sweep  # of a sweep other numbers may vary
+    clause = "" if whole else _clause(outcome, record.says.get(sought.name, ""))
     comma = "," if under and "," in clause else ""
     return capital(f"{where}{sought.sentence(record.event, clause)}{comma}{under}{all_points}.")
 
@@ -204,34 +232,33 @@ def _card(one: SoughtNumber, mark: str, *, first: bool) -> str:
     )
 
 
-def _beside(state: ElasticState | None, shown: set[str], force: float) -> str:
+def _beside(state: ElasticState | None, shown: set[str]) -> str:
     """Return greatest pressure, greatest von Mises stress and load of yield as cards."""
     if state is None:
         return ""
     cards = []
-    if "peak_pressure" not in shown:
+    if "peak_pressure" not in shown and not math.isnan(state.peak_pressure):
         pressure = with_unit(state.peak_pressure, "Pa")
         cards.append(_small(pressure, f"greatest pressure {symbol('p_0')}", ""))
     if "von_mises" in shown:
         return f'<div class="cards beside">{"".join(cards)}</div>' if cards else ""
-    where = f"{with_unit(state.depth, 'm', 3)} below the surface, {state.body}"
     around = f"; {state.sharp}, and this one is a tenth of the contact radius away" if state.sharp else ""
     stress = f"greatest von Mises stress {symbol(VON_MISES)}"
-    cards.append(_small(with_unit(state.von_mises, "Pa"), stress, f"{where}, without friction{around}"))
-    cards.append(_yield_card(state, force))
+    cards.append(_small(with_unit(state.von_mises, "Pa"), stress, f"{state.place(3)}, {state.under}{around}"))
+    cards.append(_yield_card(state))
     return f'<div class="cards beside">{"".join(cards)}</div>'
 
 
-def _yield_card(state: ElasticState, force: float) -> str:
+def _yield_card(state: ElasticState) -> str:
     name = "load at which it yields"
     if math.isinf(state.strength):
         return _small("not known", name, f"set a strength of the {state.body} to see it")
     if math.isnan(state.yield_load):
-        share = state.von_mises / state.strength
-        return _small("not known", name, f"the greatest stress is {share:.3g} of the strength of the {state.body}")
+        said = f"the greatest stress is {state.share:.3g} of the strength of the {state.body}"
+        return _small("not known", name, said)
     if state.sharp:
         return _small(with_unit(0.0, state.unit), name, "a sharp place yields at the first touch")
-    times = f"{state.yield_load / force:.3g} times this load; " if force > 0.0 else ""
+    times = f"{state.margin:.3g} times this load; " if math.isfinite(state.margin) else ""
     return _small(with_unit(state.yield_load, state.unit), name, f"{times}of the {state.body}, by von Mises' criterion")
 
 

@@ -2,28 +2,45 @@
 
 from __future__ import annotations
 
-from typing import Any
+import math
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from winkler.loading.loads import Depth
-from winkler.media.halfspace import HalfSpace
-from winkler.plot.method import Contact
-from winkler.problems.line.indentation import LineSolution
-from winkler.problems.normal.elliptic import EllipticSolution
+from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.problems.subsurface.contact_stress import ContactStress, ContactStressSolution
 from winkler.study.batch.outcome import Outcome, SolvedPoint
 from winkler.study.chapters.answer import PicturedContact as Shows
 from winkler.study.chapters.contents import answer_of
-from winkler.values.errors import InvalidInput, OutsideValidity
 
-__all__ = ["medium_of", "shown_contact", "shown_point", "stressed_contact", "stresses_inside"]
+if TYPE_CHECKING:
+    from winkler.plot.method import Contact
+
+__all__ = ["medium_of", "most_pressed", "shown_contact", "shown_point", "stressed_contact"]
 
 
 def shown_point(outcome: Outcome) -> SolvedPoint:
     """Return the point whose contact the pictures show: the last one that was solved."""
     return outcome.solved[-1]
+
+
+def most_pressed(points: Sequence[SolvedPoint], each: Sequence[Mapping[str, Array]]) -> SolvedPoint:
+    """Return the point with the greatest pressure, else with the greatest load; else the last.
+
+    Parameters
+    ----------
+    points
+        Solved ones.
+    each
+        Numbers of each.
+    """
+    for name in ("peak_pressure", "mean_pressure", "force", "force_per_length"):
+        if all(name in one for one in each):
+            greatest = [np.max(one[name], initial=-math.inf, where=~np.isnan(one[name])) for one in each]
+            return points[int(np.argmax(greatest))]
+    return points[-1]
 
 
 def shown_contact(point: SolvedPoint) -> Contact | None:
@@ -60,7 +77,7 @@ def stressed_contact(point: SolvedPoint) -> Any:
         return contact
     found = point.each[-1]
     inside = getattr(found, "contact", None)
-    return inside if isinstance(inside, EllipticSolution | LineSolution) else found
+    return inside if hasattr(inside, "greatest_stress") else found
 
 
 def medium_of(found: Any) -> Any:
@@ -74,23 +91,3 @@ def medium_of(found: Any) -> Any:
     problem = getattr(found, "problem", found)
     own = getattr(problem, "medium", None)
     return getattr(getattr(problem, "bed", None), "medium", None) if own is None else own
-
-
-def stresses_inside(found: Any) -> ContactStressSolution | None:
-    """Return the greatest stresses inside homogeneous bodies; None where they are infinite or not known.
-
-    Parameters
-    ----------
-    found
-        A contact, as of `stressed_contact`.
-    """
-    if not isinstance(medium_of(found), HalfSpace):
-        return None
-    try:
-        if isinstance(found, IndentationSolution):
-            return ContactStress(Indentation(found.problem.bed, Depth(float(np.ravel(found.depth)[-1])))).solve()
-        if isinstance(found, EllipticSolution | LineSolution) and np.size(found.peak_pressure) == 1:
-            return ContactStress(found.problem).solve()
-    except (InvalidInput, OutsideValidity):
-        pass
-    return None

@@ -1,38 +1,83 @@
 """An answer in the numbers that a designer compares: what was asked, pressures, sizes, stresses, margin, losses.
 
 One rule for all problems: the numbers of the headline, then those of `CALLED` that the solution declares, then those of
-the contact inside it, then the stresses of the contact that is pressed without friction, where they are known.
+the contact inside it, then the stresses of the contact, where they are known.  The area follows from the radius of a
+round contact, mean pressure and share from the area, nominal pressure and leak per width from the sides of a height
+map.  A solution that declares one of them itself keeps its own.
 """
 
 from __future__ import annotations
 
+import contextlib
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array
-from winkler.problems.normal.indentation import IndentationSolution
-from winkler.study.batch.outcome import Outcome, SolvedPoint
+from winkler.study.batch.outcome import Outcome, SolvedPoint, answers_of
+from winkler.study.batch.points import sides_of_map
 from winkler.study.chapters.contents import answer_of
 from winkler.study.report.describe import settings_text
-from winkler.study.report.headline.declared import CALLED, WORDS, numbers_inside, numbers_of_contact, sides_of_map
 from winkler.study.report.headline.elastic_state import ElasticState, elastic_state
 from winkler.study.report.headline.numbers import ALIKE, SoughtNumber, as_share, numbers_named, sought_numbers
 from winkler.study.report.headline.shown_contact import (
     medium_of,
+    most_pressed,
     shown_contact,
     shown_point,
     stressed_contact,
-    stresses_inside,
 )
-from winkler.values.errors import WinklerError
+from winkler.values.errors import OutsideValidity, WinklerError
 from winkler.values.readable import with_unit
+from winkler.values.vocabulary import GLOSSARY, Word, word
 
-__all__ = ["SummaryNumber", "contact_summary"]
+__all__ = ["CALLED", "WORDS", "SummaryNumber", "contact_summary", "numbers_of_contact"]
 
+CALLED: Mapping[str, str] = MappingProxyType(
+    {
+        "peak_pressure": "greatest pressure p0",
+        "mean_pressure": "mean pressure",
+        "nominal_pressure": "nominal pressure",
+        "force": "force",
+        "force_per_length": "force per length",
+        "radius": "contact radius",
+        "half_width": "half-width",
+        "longitudinal_semi_axis": "longitudinal semi-axis",
+        "lateral_semi_axis": "lateral semi-axis",
+        "contact_length": "length in contact",
+        "area": "contact area",
+        "contact_share": "share in contact",
+        "depth": "approach",
+        "residual_depth": "depth of the dent",
+        "max_shear": "greatest shear stress",
+        "orthogonal_shear": "greatest shear along the surface",
+        "von_mises": "greatest von Mises stress",
+        "yield_force": "load at which it yields",
+        "yield_depth": "approach at which it yields",
+        "yield_velocity": "velocity at which it yields",
+        "yield_factor": "times its load at which it yields",
+        "loss_per_cycle": "loss per cycle",
+        "loss_per_cycle_per_length": "loss per cycle and length",
+        "loss_per_distance": "loss per distance",
+        "secant_stiffness": "secant stiffness",
+        "loss_factor": "loss factor",
+        "leak_per_width": "leak per width",
+    }
+)
+"""Answer of a solution -> what the summary of a contact calls it, in the order of its rows."""
+WORDS: Mapping[str, Word] = MappingProxyType(
+    {
+        **{name: GLOSSARY[name] for name in ("area", "mean_pressure", "nominal_pressure")},
+        "contact_share": Word("A/A_0", "", "part of the surface that is in contact"),
+        "leak_per_width": Word("Q/w", "m^2/s", "leak rate over the width of the seal"),
+    }
+)
+"""What the numbers mean that follow from others."""
+FORCES = ("force", "force_per_length")
 STEELS = (100e9, 125e9)
 """Effective moduli of steel on steel [Pa]."""
 OF_MAP = ("nominal_pressure", "contact_share")
@@ -66,6 +111,11 @@ class SummaryNumber(NamedTuple):
     text: str
     remark: str = ""
 
+    def table(self) -> dict[str, Any]:
+        """Return it as data for JSON."""
+        named = {"key": self.key, "name": self.name, "value": self.number, "unit": self.unit}
+        return {**named, "text": self.text, "remark": self.remark}
+
 
 def contact_summary(outcome: Outcome) -> tuple[SummaryNumber, ...]:
     """Return the numbers that a user asked for, those of the contact, and its stresses without friction.
@@ -81,7 +131,7 @@ def contact_summary(outcome: Outcome) -> tuple[SummaryNumber, ...]:
         return ()
     sought = sought_numbers(outcome)
     whole_curve = not answer_of(outcome.study.problem).headline
-    each = [point.answers if whole_curve else numbers_of_contact(point) for point in outcome.solved]
+    each = [point.readable if whole_curve else numbers_of_contact(point) for point in outcome.solved]
     varied = {axis.key.rpartition(".")[2] for axis in outcome.study.sweep}
     names = [name for name in CALLED if any(name in one for one in each)]
     shown = {one.name for one in sought} | varied
@@ -102,7 +152,7 @@ def contact_summary(outcome: Outcome) -> tuple[SummaryNumber, ...]:
             rows[row.key] = kept if kept.remark else kept._replace(remark=row.remark)
         rows |= {name: rows[name]._replace(remark=_of_map(point, rows[name].remark)) for name in OF_MAP if name in rows}
     elif not outcome.study.design.draws:
-        point = _most_pressed(outcome, each)
+        point = most_pressed(outcome.solved, each)
         where = f"at {settings_text(outcome.study, point.settings)}"
         stresses = (row._replace(remark=f"{row.remark}, {where}" if row.remark else where) for row in _stresses(point))
         rows |= {row.key: row for row in stresses if row.key not in rows and row.key not in varied}
@@ -120,15 +170,6 @@ def _greatest(numbers: Array) -> Array:
     """Return the number along the loads of a point that is farthest from zero, as an array of one."""
     finite = numbers[np.isfinite(numbers)]
     return finite[[int(np.argmax(np.abs(finite)))]] if finite.size else np.array([math.nan])
-
-
-def _most_pressed(outcome: Outcome, each: Sequence[Mapping[str, Array]]) -> SolvedPoint:
-    """Return the point of a sweep with the greatest pressure, else with the greatest load; else the last."""
-    for name in ("peak_pressure", "mean_pressure", "force", "force_per_length"):
-        if all(name in one for one in each):
-            greatest = [np.max(one[name][~np.isnan(one[name])], initial=-math.inf) for one in each]
-            return outcome.solved[int(np.argmax(greatest))]
-    return shown_point(outcome)
 
 
 def _row(one: SoughtNumber) -> SummaryNumber:
@@ -150,7 +191,7 @@ def _plain(key: str, number: float, unit: str, remark: str = "") -> SummaryNumbe
 def _inside(point: SolvedPoint) -> Iterator[SummaryNumber]:
     """Yield the numbers of the contact inside an answer, or of that which its pictures show."""
     try:
-        inside = numbers_inside(point.each[-1], shown_contact(point))
+        inside = _numbers_inside(point.each[-1], shown_contact(point))
     except WinklerError:  # an answer without a contact under this load
         return
     where = answer_of(point.problem).contact_shown.partition(",")[0]
@@ -162,7 +203,7 @@ def _inside(point: SolvedPoint) -> Iterator[SummaryNumber]:
 def _of_map(point: SolvedPoint, remark: str) -> str:
     """Return a remark with the sides of the height map over which a number is a mean."""
     sides = sides_of_map(point.problem)
-    if sides is None:
+    if not sides.size:
         return remark
     whole = f"of the whole map, {' x '.join(with_unit(float(side), 'm') for side in sides)}"
     return f"{whole}; {remark}" if remark else whole
@@ -173,28 +214,85 @@ def _stresses(point: SolvedPoint) -> Iterator[SummaryNumber]:
     state = elastic_state(point)
     if state is None:
         return
-    found = stressed_contact(point)
+    if not math.isnan(state.peak_pressure):
+        yield _plain("peak_pressure", state.peak_pressure, "Pa", _rated(stressed_contact(point), state))
+    for name, (stress, depth) in zip(("max_shear", "orthogonal_shear"), state.shears, strict=False):
+        yield _plain(name, stress, "Pa", _below(depth))
     sharp = f"; {state.sharp}" if state.sharp else ""
-    yield _plain("peak_pressure", state.peak_pressure, "Pa", _rated(found, state))
-    if (inside := stresses_inside(found)) is not None:
-        for name, depth in (
-            ("max_shear", inside.max_shear_depth),
-            ("orthogonal_shear", inside.orthogonal_shear_depth),
-        ):
-            yield _plain(name, getattr(inside, name), "Pa", f"{with_unit(abs(depth), 'm', 3)} below the surface")
-    where = f"{with_unit(state.depth, 'm', 3)} below the surface, {state.body}, without friction{sharp}"
-    yield _plain("von_mises", state.von_mises, "Pa", where)
+    share = f"; {state.share:.3g} of the strength" if 0.0 < state.share != 1.0 and math.isnan(state.yield_load) else ""
+    yield _plain("von_mises", state.von_mises, "Pa", f"{state.place(3)}, {state.under}{share}{sharp}")
     if math.isfinite(state.strength) and not math.isnan(state.yield_load):
-        share = f"the greatest stress is {state.von_mises / state.strength:.3g} of the strength of the {state.body}"
-        yield _plain("yield_force", state.yield_load, state.unit, share)
+        said = f"the greatest stress is {state.share:.3g} of the strength of the {state.body}"
+        said = f"the greatest load is {1.0 / state.margin:.3g} times this" if math.isnan(state.depth) else said
+        yield _plain("yield_force", state.yield_load, state.unit, said)
+
+
+def _below(depth: float) -> str:
+    return f"{with_unit(depth, 'm', 3)} below the surface" if depth else "at the surface"
 
 
 def _rated(found: Any, state: ElasticState) -> str:
     """Return the share of the static rating of bearings, of ellipses and strips of steel; else nothing."""
     medium = medium_of(found)
-    if isinstance(found, IndentationSolution) or not isinstance(medium, HalfSpace):
+    if not isinstance(medium, HalfSpace) or not (state.unit == "N/m" or hasattr(found, "lateral_semi_axis")):
         return ""
     if not STEELS[0] <= medium.modulus <= STEELS[1]:
         return ""
     name, rating = STATIC_RATINGS[state.unit]
     return f"{state.peak_pressure / rating:.3g} of the static rating of {name} bearings, {rating / 1e9:g} GPa (ISO 76)"
+
+
+def numbers_of_contact(point: SolvedPoint) -> dict[str, Array]:
+    """Return the numbers of a point along its loads, and what follows from its radius, area and map.
+
+    Parameters
+    ----------
+    point
+        A solved point.
+    """
+    found: dict[str, Array] = dict(point.readable)
+    found |= {name: content for name, content in _following(found, point.problem).items() if name not in found}
+    return found
+
+
+def _numbers_inside(solution: Any, contact: Any) -> dict[str, tuple[Word, float]]:
+    """Return the numbers of the contact that a solution holds, or that its pictures show, of its last load.
+
+    Parameters
+    ----------
+    solution
+        Of one load or many.
+    contact
+        The contact of the pictures, or None.
+    """
+    inside = getattr(solution, "contact", None) if contact is None else contact
+    if inside is None or inside is solution:
+        return {}
+    answers = {name: np.atleast_1d(content) for name, content in answers_of(inside).items() if name in CALLED}
+    following = _following(answers, getattr(inside, "problem", None))
+    words = {name: WORDS[name] for name in following} | {name: word(type(inside), name) for name in answers}
+    numbers = following | answers
+    return {name: (words[name], float(content[-1])) for name, content in numbers.items() if content.size}
+
+
+def _following(found: Mapping[str, Array], problem: Any) -> dict[str, Array]:
+    """Return what follows from numbers of a contact."""
+    given, more = dict(found), {}
+    if "area" not in given and {"force", "radius"} <= given.keys() and (outline := _outline(problem)) is not None:
+        with contextlib.suppress(OutsideValidity):  # a pyramid, whose outline is not known
+            more["area"] = given["area"] = np.asarray(outline.area(np.asarray(given["radius"])))
+    if {"area", "force"} <= given.keys():
+        with np.errstate(invalid="ignore", divide="ignore"):
+            more["mean_pressure"] = np.where(given["area"] > 0.0, given["force"] / given["area"], 0.0)
+    sides = sides_of_map(problem)
+    if sides.size:
+        whole = float(np.prod(sides))
+        more |= {"nominal_pressure": given["force"] / whole} if "force" in given else {}
+        more |= {"contact_share": given["area"] / whole} if "area" in given else {}
+        more |= {"leak_per_width": given["leak_rate"] / sides[1]} if "leak_rate" in given else {}
+    return more
+
+
+def _outline(problem: Any) -> Any:
+    """Return the outline of a round contact by its bed; None where a problem has none."""
+    return getattr(getattr(problem, "bed", None), "footprint", None)
