@@ -18,7 +18,7 @@ from winkler.plot.picture import Picture, empty_figure, styled
 from winkler.plot.render_axis import set_axis, thin_ticks
 from winkler.plot.render_marks import draw_mark
 from winkler.plot.svg.legend import ABOVE, free_place, room_above
-from winkler.plot.svg.letters import Box
+from winkler.plot.svg.letters import Rectangle
 from winkler.values.checks.physical_size import as_text
 from winkler.values.errors import InvalidInput
 
@@ -162,11 +162,11 @@ THIN = 1.0
 def clear_of_curves(axes: Axes, legend: Legend, wanted: str) -> None:
     """Place a legend where it was wanted, or at the first place where it covers nothing, or above the curves."""
     drawn = np.concatenate([np.empty((0, 2)), *(_dots(one) for one in _panels_here(axes))])
-    texts = [Box(*text.get_window_extent().extents) for text in axes.texts if text.get_text()]
+    texts = [Rectangle(*text.get_window_extent().extents) for text in axes.texts if text.get_text()]
 
-    def box_at(place: str) -> Box:
+    def box_at(place: str) -> Rectangle:
         legend.set_loc(place)  # type: ignore[arg-type]
-        return Box(*legend.get_window_extent().extents)
+        return Rectangle(*legend.get_window_extent().extents)
 
     place, free = free_place(wanted, box_at, drawn, texts)
     share = room_above(legend.get_window_extent().height, axes.bbox.height)

@@ -10,7 +10,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot import marks
-from winkler.plot.svg.letters import Box, text_element, width_of
+from winkler.plot.svg.letters import Rectangle, text_element, width_of
 from winkler.plot.svg.shapes import markers, outline, stroke, tint
 
 __all__ = ["ABOVE", "FREE", "Legend", "free_place", "legend_of", "named", "room_above"]
@@ -59,10 +59,10 @@ class Legend(NamedTuple):
     framed: bool
     marker_scale: float
 
-    def at(self, place: str, frame: Box, *, outside: bool = False) -> Box:
+    def at(self, place: str, frame: Rectangle, *, outside: bool = False) -> Rectangle:
         """Return its rectangle at a place of a frame, or with that corner at the upper right one of the frame."""
         upright, across = {"center": ("center", "center"), "right": ("center", "right")}.get(place) or place.split()
-        inner = Box(frame.right, frame.top, frame.right, frame.top) if outside else frame
+        inner = Rectangle(frame.right, frame.top, frame.right, frame.top) if outside else frame
         left = {
             "left": inner.left + AWAY,
             "right": inner.right - AWAY - self.width,
@@ -73,9 +73,9 @@ class Legend(NamedTuple):
             "lower": inner.bottom - AWAY - self.height,
             "center": 0.5 * (inner.top + inner.bottom - self.height),
         }[upright]
-        return Box(left, top, left + self.width, top + self.height)
+        return Rectangle(left, top, left + self.width, top + self.height)
 
-    def drawn(self, box: Box) -> str:
+    def drawn(self, box: Rectangle) -> str:
         """Return its elements in a rectangle."""
         text = '<g class="legend">'
         if self.framed:
@@ -147,12 +147,14 @@ def _sample(mark: Any, left: float, middle: float, scale: float) -> str:
         dot = marks.Line(x, y, mark.colour, width=0.0, marker="o", size=math.sqrt(mark.size), alpha=mark.alpha)
         return markers(dot, x[:1] + 0.5 * HANDLE, y[:1], scale)
     several = isinstance(mark, marks.Bars) and not isinstance(mark.colour, str)
-    patch = Box(left, middle - 3.0, left + HANDLE, middle + 3.0)
+    patch = Rectangle(left, middle - 3.0, left + HANDLE, middle + 3.0)
     hatch = patch.drawn('fill="url(#hatch)"') if getattr(mark, "hatch", "") else ""
     return patch.drawn(tint(mark.colour[0] if several else mark.colour, getattr(mark, "alpha", 1.0))) + hatch
 
 
-def free_place(wanted: str, box_at: Callable[[str], Box], drawn: Array, texts: Sequence[Box]) -> tuple[str, bool]:
+def free_place(
+    wanted: str, box_at: Callable[[str], Rectangle], drawn: Array, texts: Sequence[Rectangle]
+) -> tuple[str, bool]:
     """Return where a legend is drawn, and whether it hides nothing there.
 
     Parameters

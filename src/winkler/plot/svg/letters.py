@@ -12,7 +12,7 @@ from xml.sax.saxutils import escape
 from winkler.values.errors import InvalidInput
 from winkler.values.readable import GREEK
 
-__all__ = ["FONT", "LINE_HEIGHT", "Box", "Run", "run_width", "runs_of", "text_box", "text_element", "width_of"]
+__all__ = ["FONT", "LINE_HEIGHT", "Rectangle", "Run", "run_width", "runs_of", "text_box", "text_element", "width_of"]
 
 FONT = "DejaVu Sans,Verdana,Bitstream Vera Sans,sans-serif"
 LINE_HEIGHT = 1.2
@@ -63,7 +63,7 @@ class Run(NamedTuple):
     rise: float = 0.0
 
 
-class Box(NamedTuple):
+class Rectangle(NamedTuple):
     """A rectangle [pt], with y downwards."""
 
     left: float
@@ -71,16 +71,16 @@ class Box(NamedTuple):
     right: float
     bottom: float
 
-    def grown(self, by: float) -> Box:
+    def grown(self, by: float) -> Rectangle:
         """Return the rectangle with an edge around it."""
-        return Box(self.left - by, self.top - by, self.right + by, self.bottom + by)
+        return Rectangle(self.left - by, self.top - by, self.right + by, self.bottom + by)
 
     def drawn(self, look: str) -> str:
         """Return it as an element of SVG with some attributes."""
         wide, high = self.right - self.left, self.bottom - self.top
         return f'<rect x="{self.left:.2f}" y="{self.top:.2f}" width="{wide:.2f}" height="{high:.2f}" {look}/>'
 
-    def meets(self, other: Box) -> bool:
+    def meets(self, other: Rectangle) -> bool:
         """Return whether two rectangles have an area in common."""
         return (
             self.left < other.right and other.left < self.right and self.top < other.bottom and other.top < self.bottom
@@ -186,7 +186,7 @@ def width_of(text: str, size: float, *, bold: bool = False) -> float:
 def text_box(
     text: str, x: float, y: float, size: float, *, across: str = "center", upright: str = "center",
     turned: bool = False, bold: bool = False, spacing: float = LINE_HEIGHT,
-) -> Box:  # fmt: skip
+) -> Rectangle:  # fmt: skip
     """Return the rectangle of a text at a place.
 
     Parameters
@@ -211,7 +211,7 @@ def text_box(
         wide, high = high, wide
     left = x - {"left": 0.0, "center": 0.5, "right": 1.0}[across] * wide
     below = high - size * FALL if upright == "baseline" else {"top": 0.0, "center": 0.5, "bottom": 1.0}[upright] * high
-    return Box(left, y - below, left + wide, y - below + high)
+    return Rectangle(left, y - below, left + wide, y - below + high)
 
 
 def text_element(

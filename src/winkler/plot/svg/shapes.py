@@ -10,7 +10,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot import marks, style
-from winkler.plot.svg.letters import Box, text_box, text_element
+from winkler.plot.svg.letters import Rectangle, text_box, text_element
 from winkler.plot.svg.pixels import (
     colours_of,
     contour_bands,
@@ -23,9 +23,9 @@ from winkler.plot.svg.scales import Side
 
 __all__ = [
     "HATCH",
+    "DrawnShape",
     "Plane",
     "Reach",
-    "Shape",
     "bars_of",
     "colour_text",
     "markers",
@@ -69,9 +69,9 @@ class Plane(NamedTuple):
         return self.upright.place(np.asarray(numbers, dtype=float) / self.factors[1])
 
     @property
-    def box(self) -> Box:
+    def box(self) -> Rectangle:
         """The frame."""
-        return Box(self.across.start, self.upright.stop, self.across.stop, self.upright.start)
+        return Rectangle(self.across.start, self.upright.stop, self.across.stop, self.upright.start)
 
 
 class Reach(NamedTuple):
@@ -84,7 +84,7 @@ class Reach(NamedTuple):
     tight: bool = False
 
 
-class Shape(NamedTuple):
+class DrawnShape(NamedTuple):
     """One drawn mark.
 
     Parameters
@@ -105,7 +105,7 @@ class Shape(NamedTuple):
     text: str
     clipped: bool = True
     covers: Array = np.empty((0, 2))
-    letters: Box | None = None
+    letters: Rectangle | None = None
 
 
 def colour_text(colour: Any) -> str:
@@ -198,7 +198,7 @@ def markers(mark: marks.Line, x: Array, y: Array, scale: float = 1.0) -> str:
     return outer
 
 
-def _line(mark: marks.Line, plane: Plane) -> Iterable[Shape]:
+def _line(mark: marks.Line, plane: Plane) -> Iterable[DrawnShape]:
     x, y = plane.x(mark.x).ravel(), plane.y(mark.y).ravel()
     text, covers = "", np.empty((0, 2))
     if mark.width and mark.error_x is None and mark.error_y is None:
@@ -213,7 +213,7 @@ def _line(mark: marks.Line, plane: Plane) -> Iterable[Shape]:
     if mark.marker:
         text += markers(mark, x, y)
         covers = np.concatenate([covers, np.stack([x, y], axis=1)])
-    yield Shape(mark.order, text, mark.clipped, covers)
+    yield DrawnShape(mark.order, text, mark.clipped, covers)
 
 
 def _error_bars(mark: marks.Line, plane: Plane, errors: Array, side: int) -> str:
@@ -250,22 +250,24 @@ def _between(x: Array, y: Array) -> Array:
     return np.concatenate([corners[start] + part[:, None] * steps[start], corners[-1:]])
 
 
-def _dots(mark: marks.Dots, plane: Plane) -> Iterable[Shape]:
+def _dots(mark: marks.Dots, plane: Plane) -> Iterable[DrawnShape]:
     x, y = plane.x(mark.x), plane.y(mark.y)
-    yield Shape(1.0, _dots_path(x, y, math.sqrt(mark.size), mark.colour, mark.alpha), True, np.stack([x, y], axis=1))
+    yield DrawnShape(
+        1.0, _dots_path(x, y, math.sqrt(mark.size), mark.colour, mark.alpha), True, np.stack([x, y], axis=1)
+    )
 
 
-def _strokes(mark: marks.Strokes, plane: Plane) -> Iterable[Shape]:
+def _strokes(mark: marks.Strokes, plane: Plane) -> Iterable[DrawnShape]:
     x, y = plane.x(mark.x), plane.y(mark.y)
     widths, alphas = (np.broadcast_to(part, (len(x),)).tolist() for part in (mark.widths, mark.alphas))
     looks: dict[str, list[str]] = {}
     for a, b, colour, width, alpha in zip(x, y, mark.colours, widths, alphas, strict=True):
         looks.setdefault(stroke(colour, width, alpha=alpha), []).append(outline(a, b))
     text = "".join(f'<path d="{"".join(paths)}" {look}/>' for look, paths in looks.items())
-    yield Shape(mark.order, text)
+    yield DrawnShape(mark.order, text)
 
 
-def _area(mark: marks.Area, plane: Plane) -> Iterable[Shape]:
+def _area(mark: marks.Area, plane: Plane) -> Iterable[DrawnShape]:
     along = np.asarray(mark.x, dtype=float)
     low, high = (np.broadcast_to(np.asarray(end, dtype=float), along.shape) for end in (mark.low, mark.high))
     sides = (plane.y, plane.x) if mark.across else (plane.x, plane.y)
@@ -279,7 +281,7 @@ def _area(mark: marks.Area, plane: Plane) -> Iterable[Shape]:
     look = tint(mark.colour, mark.alpha)
     text = f'<path class="area" d="{path}" {look}/>' if path else ""
     text += f'<path d="{path}" fill="url(#hatch)"/>' if path and mark.hatch else ""
-    yield Shape(mark.order, text)
+    yield DrawnShape(mark.order, text)
 
 
 def _bounded(places: Array, plane: Plane, across: bool) -> Array:
@@ -289,14 +291,14 @@ def _bounded(places: Array, plane: Plane, across: bool) -> Array:
     return np.where(np.isfinite(places), places, beyond) if side.log else places
 
 
-def _polygon(mark: marks.Polygon, plane: Plane) -> Iterable[Shape]:
+def _polygon(mark: marks.Polygon, plane: Plane) -> Iterable[DrawnShape]:
     path = outline(plane.x(mark.x), plane.y(mark.y), closed=True)
     look = tint(mark.colour, mark.alpha)
     look += f' stroke="{colour_text(mark.edge)}" stroke-width="{mark.width:g}"' if mark.edge and mark.width else ""
-    yield Shape(mark.order, f'<path d="{path}" {look}/>' if path else "")
+    yield DrawnShape(mark.order, f'<path d="{path}" {look}/>' if path else "")
 
 
-def _rule(mark: marks.Rule, plane: Plane) -> Iterable[Shape]:
+def _rule(mark: marks.Rule, plane: Plane) -> Iterable[DrawnShape]:
     box = plane.box
     if mark.point is not None:
         x = np.array([plane.across.low, plane.across.high]) * plane.factors[0]
@@ -307,19 +309,19 @@ def _rule(mark: marks.Rule, plane: Plane) -> Iterable[Shape]:
     else:
         path = f"M{box.left:.1f} {float(plane.y(mark.at)):.1f}H{box.right:.1f}"
     shown = "nan" not in path
-    yield Shape(
+    yield DrawnShape(
         mark.order,
         f'<path class="rule" d="{path}" {stroke(mark.colour, mark.width, mark.dash, blunt=True)}/>' if shown else "",
     )
 
 
-def _band(mark: marks.Band, plane: Plane) -> Iterable[Shape]:
+def _band(mark: marks.Band, plane: Plane) -> Iterable[DrawnShape]:
     left, right = sorted(np.clip([float(plane.x(mark.low)), float(plane.x(mark.high))], -FAR, FAR).tolist())
     box = plane.box
-    yield Shape(1.0, box._replace(left=left, right=right).drawn(tint(mark.colour, mark.alpha)))
+    yield DrawnShape(1.0, box._replace(left=left, right=right).drawn(tint(mark.colour, mark.alpha)))
 
 
-def _text(mark: marks.Text, plane: Plane) -> Iterable[Shape]:
+def _text(mark: marks.Text, plane: Plane) -> Iterable[DrawnShape]:
     if not mark.text:
         return
     box = plane.box
@@ -334,10 +336,10 @@ def _text(mark: marks.Text, plane: Plane) -> Iterable[Shape]:
     text = around.grown(mark.pad).drawn(tint("white", mark.boxed)) if mark.boxed else ""
     kind = "note ground" if mark.boxed > 0.5 else "note"
     text += text_element(mark.text, x + mark.right, y, mark.size, colour=mark.colour, kind=kind, **where)
-    yield Shape(mark.order, text, False, letters=around)
+    yield DrawnShape(mark.order, text, False, letters=around)
 
 
-def _arrow(mark: marks.Arrow, plane: Plane) -> Iterable[Shape]:
+def _arrow(mark: marks.Arrow, plane: Plane) -> Iterable[DrawnShape]:
     start, stop = (np.array([float(plane.x(x)), float(plane.y(y))]) for x, y in (mark.start, mark.stop))
     away = float(np.hypot(*(stop - start)))
     if not math.isfinite(away) or away == 0.0:
@@ -352,24 +354,24 @@ def _arrow(mark: marks.Arrow, plane: Plane) -> Iterable[Shape]:
         corners = np.stack([back + HEAD_WIDTH * side, tip, back - HEAD_WIDTH * side], axis=1)
         look = stroke(mark.colour, mark.width) if mark.both else tint(mark.colour, 1.0)
         text += f'<path d="{outline(*corners, closed=not mark.both)}" {look}/>'
-    yield Shape(mark.order, text, False)
+    yield DrawnShape(mark.order, text, False)
 
 
-def _bars(mark: marks.Bars, plane: Plane) -> Iterable[Shape]:
+def _bars(mark: marks.Bars, plane: Plane) -> Iterable[DrawnShape]:
     text = ""
     colours = [mark.colour] * mark.places.size if isinstance(mark.colour, str) else mark.colour
     half = 0.5 * mark.thick
     for at, length, colour in zip(mark.places.tolist(), mark.lengths.tolist(), colours, strict=True):
         left, right = sorted(float(plane.x(end)) for end in (mark.start, mark.start + length))
         top, bottom = sorted(float(plane.y(end)) for end in (at - half, at + half))
-        text += Box(left, top, right, bottom).drawn(tint(colour, 1.0))
+        text += Rectangle(left, top, right, bottom).drawn(tint(colour, 1.0))
     if mark.ends is not None:
         line = marks.Line(mark.start + mark.lengths, mark.places, "black", width=0.8, cap=2.0)
         text += _error_bars(line, plane, mark.ends, 0)
-    yield Shape(1.0, text)
+    yield DrawnShape(1.0, text)
 
 
-def _map(mark: marks.Map, plane: Plane) -> Iterable[Shape]:
+def _map(mark: marks.Map, plane: Plane) -> Iterable[DrawnShape]:
     ground = plane.box.drawn(f'fill="{mark.ground}"') if mark.ground else ""
     if mark.kind == "contours":
         text = ""
@@ -389,10 +391,10 @@ def _map(mark: marks.Map, plane: Plane) -> Iterable[Shape]:
         where = f'x="{left:.2f}" y="{top:.2f}" width="{right - left:.2f}" height="{bottom - top:.2f}"'
         look = 'preserveAspectRatio="none" image-rendering="pixelated"'
         text = f'<image {where} {look} href="{image_data(pixels)}"/>'
-    yield Shape(0.0 if mark.kind == "pixels" else 1.0, ground + text)
+    yield DrawnShape(0.0 if mark.kind == "pixels" else 1.0, ground + text)
     if mark.line_width:
         path = "".join(outline(plane.x(line[:, 0]), plane.y(line[:, 1])) for line in contour_lines(mark))
-        yield Shape(
+        yield DrawnShape(
             2.0,
             f'<path d="{path}" {stroke(mark.line_colour, mark.line_width, alpha=mark.line_alpha)}/>' if path else "",
         )
@@ -403,7 +405,7 @@ def bars_of(found: Iterable[marks.Mark]) -> list[marks.Map]:
     return [mark for mark in found if isinstance(mark, marks.Map) and mark.place]
 
 
-def _vectors(mark: marks.Vectors, plane: Plane) -> Iterable[Shape]:
+def _vectors(mark: marks.Vectors, plane: Plane) -> Iterable[DrawnShape]:
     x, y = plane.x(mark.x).ravel(), plane.y(mark.y).ravel()
     u, v, box = np.ravel(mark.u), np.ravel(mark.v), plane.box
     size = np.hypot(u, v)
@@ -422,10 +424,10 @@ def _vectors(mark: marks.Vectors, plane: Plane) -> Iterable[Shape]:
     sides = [tips - back + sign * np.stack([-back[1], back[0]]) for sign in (0.4, -0.4)]
     gap = np.full_like(tips, np.nan)
     lines = np.stack([tips - along, tips, gap, sides[0], tips, sides[1], gap], axis=-1).reshape(2, -1)
-    yield Shape(1.0, f'<path d="{outline(*lines)}" {stroke(mark.colour, 0.8)}/>')
+    yield DrawnShape(1.0, f'<path d="{outline(*lines)}" {stroke(mark.colour, 0.8)}/>')
 
 
-def _facets(mark: marks.Facets, plane: Plane) -> Iterable[Shape]:
+def _facets(mark: marks.Facets, plane: Plane) -> Iterable[DrawnShape]:
     tenths = np.round(10.0 * np.stack([plane.x(mark.corners[..., 0]), plane.y(mark.corners[..., 1])], axis=-1)).astype(
         int
     )
@@ -441,10 +443,10 @@ def _facets(mark: marks.Facets, plane: Plane) -> Iterable[Shape]:
         texts.append((f'{chr(34)}/><path color="#{hue:06x}" d="' if hue != last else "") + row % tuple(numbers))
         last = hue
     look = 'fill="currentColor" stroke="currentColor" stroke-width="4" stroke-linejoin="round" transform="scale(.1)"'
-    yield Shape(mark.order, f'<g {look}>{"".join(texts)[3:]}"/></g>' if texts else "")
+    yield DrawnShape(mark.order, f'<g {look}>{"".join(texts)[3:]}"/></g>' if texts else "")
 
 
-DRAWN: dict[type, Callable[[Any, Plane], Iterable[Shape]]] = {
+DRAWN: dict[type, Callable[[Any, Plane], Iterable[DrawnShape]]] = {
     marks.Line: _line,
     marks.Dots: _dots,
     marks.Strokes: _strokes,
@@ -461,7 +463,7 @@ DRAWN: dict[type, Callable[[Any, Plane], Iterable[Shape]]] = {
 }
 
 
-def shapes_of(mark: marks.Mark, plane: Plane) -> list[Shape]:
+def shapes_of(mark: marks.Mark, plane: Plane) -> list[DrawnShape]:
     """Return what is drawn of a mark."""
     return [shape for shape in DRAWN[type(mark)](mark, plane) if shape.text]
 

@@ -12,10 +12,10 @@ from winkler.plot import marks, style
 from winkler.plot.axis import PanelAxis
 from winkler.plot.panel import Panel, Sheet
 from winkler.plot.svg.legend import ABOVE, Legend, free_place, legend_of, named, room_above
-from winkler.plot.svg.letters import FONT, LINE_HEIGHT, Box, text_element, width_of
+from winkler.plot.svg.letters import FONT, LINE_HEIGHT, Rectangle, text_element, width_of
 from winkler.plot.svg.pixels import band_colour, colours_of, levels_of
 from winkler.plot.svg.scales import Side, Ticks, broken, narrow_parts, round_steps, side_of, ticks_of
-from winkler.plot.svg.shapes import HATCH, Plane, Shape, bars_of, reach_of, shapes_of, stroke
+from winkler.plot.svg.shapes import HATCH, DrawnShape, Plane, bars_of, reach_of, shapes_of, stroke
 
 __all__ = ["Drawing", "drawing_of"]
 
@@ -69,11 +69,11 @@ class _Axes:
         self.upright = side_of(panel.upright, [one.y for one in own], fixed_y, tight=tight, across=False)
         others = [reach.y for mark, reach in reaches if getattr(mark, "beside", False)]
         self.beside = side_of(panel.beside[0], others, [], tight=False, across=False) if panel.beside else None
-        self.frame = Box(0.0, 0.0, 200.0, 150.0)
+        self.frame = Rectangle(0.0, 0.0, 200.0, 150.0)
         self.legend = _legend(panel)
         self.bars = bars_of(panel.marks)
 
-    def put(self, frame: Box) -> None:
+    def put(self, frame: Rectangle) -> None:
         """Give the panel a rectangle; equal scales make it smaller, about its middle."""
         if self.panel.equal:
             sides = zip((self.across, self.upright), self.plane.factors, strict=True)
@@ -81,7 +81,7 @@ class _Axes:
             scale = min((frame.right - frame.left) / wide, (frame.bottom - frame.top) / high)
             half = 0.5 * scale * wide, 0.5 * scale * high
             middle = 0.5 * (frame.left + frame.right), 0.5 * (frame.top + frame.bottom)
-            frame = Box(middle[0] - half[0], middle[1] - half[1], middle[0] + half[0], middle[1] + half[1])
+            frame = Rectangle(middle[0] - half[0], middle[1] - half[1], middle[0] + half[0], middle[1] + half[1])
         self.frame = frame
         self.across = self.across._replace(start=frame.left, stop=frame.right)
         self.upright = self.upright._replace(start=frame.bottom, stop=frame.top)
@@ -107,7 +107,7 @@ class _Axes:
             _inside(ticks_of(self.panel.upright, self.upright, TICK_SIZE, across=False), self.upright),
         )
 
-    def shapes(self) -> list[Shape]:
+    def shapes(self) -> list[DrawnShape]:
         """Return what is drawn of the marks."""
         return [
             shape
@@ -115,7 +115,7 @@ class _Axes:
             for shape in shapes_of(mark, self.other if getattr(mark, "beside", False) else self.plane)
         ]
 
-    def make_room(self) -> tuple[list[Shape], Shape | None]:
+    def make_room(self) -> tuple[list[DrawnShape], DrawnShape | None]:
         """Return the marks and the legend, above which the upright axis reaches where no place is free."""
         drawn = self.shapes()
         if self.legend is None:
@@ -134,7 +134,7 @@ class _Axes:
                 drawn = self.shapes()
                 texts = [shape.letters for shape in drawn if shape.letters is not None]
                 place = min(ABOVE, key=lambda one: sum(map(legend.at(one, self.frame).meets, texts)))
-        return drawn, Shape(5.0, legend.drawn(legend.at(place, self.frame, outside=panel.outside)), False)
+        return drawn, DrawnShape(5.0, legend.drawn(legend.at(place, self.frame, outside=panel.outside)), False)
 
     def margins(self) -> Margins:
         """Return what is drawn around the frame at its present size."""
@@ -191,7 +191,7 @@ class _Axes:
         text += "".join(_bar(mark, frame) for mark in self.bars)
         return f'<g class="panel">{clip}{text}</g>'
 
-    def _frame(self) -> Iterator[Shape]:
+    def _frame(self) -> Iterator[DrawnShape]:
         """Yield the grid, and the frame with its ticks."""
         frame = self.frame
         across, upright = self.ticks()
@@ -201,7 +201,7 @@ class _Axes:
             "".join(f"M{frame.left:.1f} {y:.1f}H{frame.right:.1f}" for y in at_y) if self.panel.grid == "both" else ""
         )
         if grid:
-            yield Shape(0.5, f'<path class="grid" d="{grid}" {stroke(style.PALE, 0.6, blunt=True)}/>', False)
+            yield DrawnShape(0.5, f'<path class="grid" d="{grid}" {stroke(style.PALE, 0.6, blunt=True)}/>', False)
         box = f"M{frame.left:.1f} {frame.top:.1f}V{frame.bottom:.1f}H{frame.right:.1f}"
         box += f"V{frame.top:.1f}" if self.panel.boxed or self.beside is not None else ""
         box += f"H{frame.left:.1f}" if self.panel.boxed else ""
@@ -212,7 +212,7 @@ class _Axes:
         if self.beside is not None:
             ticks = _inside(ticks_of(self.panel.beside[0], self.beside, TICK_SIZE, across=False), self.beside)
             box += "".join(f"M{frame.right:.1f} {y:.1f}h{TICK}" for y in self.beside.place(ticks.places).tolist())
-        yield Shape(2.5, f'<path class="frame" d="{box}" {stroke(style.MUTED, 0.8, blunt=True)}/>', False)
+        yield DrawnShape(2.5, f'<path class="frame" d="{box}" {stroke(style.MUTED, 0.8, blunt=True)}/>', False)
 
     def _labels(self) -> str:
         """Return the numbers at the ticks, and the labels of the axes."""
@@ -302,7 +302,7 @@ def _numbers_right(axis: PanelAxis, side: Side, left: float) -> str:
     return text
 
 
-def _bar_axis(mark: marks.Map, frame: Box) -> tuple[PanelAxis, Side]:
+def _bar_axis(mark: marks.Map, frame: Rectangle) -> tuple[PanelAxis, Side]:
     """Return the axis of a colour bar, with the levels of contours as its ticks."""
     colours = colours_of(mark)
     shrink = 1.0 if mark.place == "inset" else mark.shrink
@@ -322,11 +322,11 @@ def _bar_axis(mark: marks.Map, frame: Box) -> tuple[PanelAxis, Side]:
     return PanelAxis(mark.bar.label, mark.bar.scale, ticks=wanted * factor), side
 
 
-def _bar_width(mark: marks.Map, frame: Box) -> float:
+def _bar_width(mark: marks.Map, frame: Rectangle) -> float:
     return _side_width(*_bar_axis(mark, frame))
 
 
-def _bar(mark: marks.Map, frame: Box) -> str:
+def _bar(mark: marks.Map, frame: Rectangle) -> str:
     """Return the colour bar of a map at the right of its frame."""
     axis, side = _bar_axis(mark, frame)
     colours = colours_of(mark)
@@ -342,7 +342,7 @@ def _bar(mark: marks.Map, frame: Box) -> str:
         else:
             colour = colours.text(side.at(0.5 * (low + high)))
         over = 0.3 if number + 2 < len(places) else 0.0  # no light between two steps
-        text += Box(left, high - over, left + BAR, low).drawn(f'fill="{colour}"')
+        text += Rectangle(left, high - over, left + BAR, low).drawn(f'fill="{colour}"')
     for end, sign, edge, number in (("max", -1.0, places[-1], side.high), ("min", 1.0, places[0], side.low)):
         if mark.extend in (end, "both"):
             tip = f"M{left:.1f} {edge:.2f}l{0.5 * BAR:g} {sign * BAR:g} {0.5 * BAR:g} {-sign * BAR:g}z"
@@ -361,10 +361,10 @@ class _Cell(NamedTuple):
 
     row: int
     column: int
-    item: _Axes | _Grid
+    item: _Axes | _PanelGrid
 
 
-class _Grid:
+class _PanelGrid:
     """The panels of a sheet in rows and columns."""
 
     def __init__(self, sheet: Sheet) -> None:
@@ -372,7 +372,7 @@ class _Grid:
         self.columns = sheet.columns or len(sheet.panels)
         self.rows = -(-len(sheet.panels) // self.columns)
         self.cells = [
-            _Cell(*divmod(place, self.columns), _Grid(panel) if isinstance(panel, Sheet) else _Axes(panel))
+            _Cell(*divmod(place, self.columns), _PanelGrid(panel) if isinstance(panel, Sheet) else _Axes(panel))
             for place, panel in enumerate(sheet.panels)
             if panel is not None
         ]
@@ -399,12 +399,12 @@ class _Grid:
     def all(self) -> Iterator[_Axes]:
         """Yield the panels in the order in which they are drawn."""
         for cell in self.cells:
-            if isinstance(cell.item, _Grid):
+            if isinstance(cell.item, _PanelGrid):
                 yield from cell.item.all()
             else:
                 yield cell.item
 
-    def put(self, room: Box) -> None:
+    def put(self, room: Rectangle) -> None:
         """Give each panel its rectangle in a room."""
         around = [cell.item.margins() if isinstance(cell.item, _Axes) else Margins() for cell in self.cells]
         spans = []
@@ -423,7 +423,7 @@ class _Grid:
             spans.append(_along(start, before, sizes.tolist(), after))
         for cell in self.cells:
             (left, right), (top, bottom) = spans[0][cell.column], spans[1][cell.row]
-            cell.item.put(Box(left, top, right, bottom))
+            cell.item.put(Rectangle(left, top, right, bottom))
 
 
 def _along(
@@ -439,7 +439,7 @@ def _along(
 
 def drawing_of(sheet: Sheet) -> Drawing:
     """Return a sheet as a picture in SVG."""
-    grid = _Grid(sheet)
+    grid = _PanelGrid(sheet)
     wide = POINTS * sheet.width * grid.columns
     high = POINTS * sheet.height * grid.rows
     top, bottom, text = EDGE, high - EDGE, ""
@@ -451,10 +451,10 @@ def drawing_of(sheet: Sheet) -> Drawing:
         legend = legend_of(entries, sheet.below, framed=False)
         bottom -= legend.height
         left = 0.5 * (wide - legend.width)
-        text += legend.drawn(Box(left, bottom, left + legend.width, bottom + legend.height))
+        text += legend.drawn(Rectangle(left, bottom, left + legend.width, bottom + legend.height))
         bottom -= 2.0
     for _ in range(ROUNDS):
-        grid.put(Box(EDGE, top, wide - EDGE, bottom))
+        grid.put(Rectangle(EDGE, top, wide - EDGE, bottom))
     panels = [axes.drawn(number) for number, axes in enumerate(grid.all())]
     hatch = f"<defs>{HATCH}</defs>" if any("url(#hatch)" in part for part in panels) else ""
     head = (
