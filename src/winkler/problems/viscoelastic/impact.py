@@ -340,8 +340,8 @@ class StruckCells:
         self.contact.examine()
         lost, stored = self.cells.lost(before, after, float(spans[0])), self.cells.stored(after)
         work = 0.5 * (before.force + after.force) * float(changes[0])
-        numbers = (np.array([each]) for each in (work, lost, stored, after.radius, after.force))
-        return SpringMemory(*numbers, ring=np.array([False]))
+        numbers = (work, lost, stored, after.radius, after.force, False)
+        return SpringMemory._make(np.array([each]) for each in numbers)
 
 
 class Flight:
