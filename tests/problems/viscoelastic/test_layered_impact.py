@@ -149,5 +149,8 @@ def test_a_film_that_liquid_leaves():
 def test_layers_know_their_notes_and_limits():
     solved = struck(layered(), mass=1e-4, velocity=0.01, count=50)
     assert any("Half as many cells" in str(note) for note in solved.validity)
+    gel = wk.PoroelasticFilm(shear=5e3, poisson=0.3, diffusivity=1e-9, thickness=H)
+    with pytest.raises(wk.OutsideValidity, match=r"grows beyond 0\.01 m"):
+        struck(gel, wk.Sphere(1e-2), mass=0.03, velocity=1.0, count=20)
     with pytest.raises(wk.InvalidInput, match="2000 cells"):
         struck(layered(), count=3000)

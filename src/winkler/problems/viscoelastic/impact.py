@@ -165,7 +165,7 @@ class ViscoelasticImpact:
             )
         if is_layered("", self.bed):  # the uppermost layer alone, of which trials make what the layers are
             elastic = uppermost(self.bed)
-            last = DEEPEST * at_end(elastic)[0]
+            last = DEEPEST * at_end(elastic)[0] if elastic.reach < elastic.rim else math.inf
             if math.isfinite(last) and _stored(elastic, last) <= energy:
                 return last
             return _depth_of(elastic, energy, 1e-3 * shape_length(elastic))
@@ -340,7 +340,8 @@ class StruckCells:
         self.contact.examine()
         lost, stored = self.cells.lost(before, after, float(spans[0])), self.cells.stored(after)
         work = 0.5 * (before.force + after.force) * float(changes[0])
-        return SpringMemory(*np.array([[work], [lost], [stored], [after.radius], [after.force]]), np.array([False]))
+        numbers = (work, lost, stored, after.radius, after.force, False)
+        return SpringMemory._make(np.array([each]) for each in numbers)
 
 
 class Flight:
