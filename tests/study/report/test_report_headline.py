@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import astuple
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -306,3 +307,14 @@ def test_a_metal_and_a_map_have_their_margins_too():
     assert re.search(
         r"Its greatest stress is 0\.\d+ of the strength, [\d.]+ µm below the surface, first body", (headline(mapped))
     )
+
+
+def test_an_ellipse_of_springs_has_the_stresses_of_hertz():
+    """The springs of an ellipse, for their own sake, as `ContactStress` has them of the ellipse itself."""
+    steel = wk.HalfSpace(wk.Elastic(210e9, 0.3))
+    bodies = wk.CurvedBodies(10e-3, 5e-3)
+    found = wk.Indentation(wk.EllipticFoundation(bodies, steel), wk.Force(100.0)).solve()
+    state = elastic_state.__wrapped__(SimpleNamespace(problem=found.problem, solution=found, each=(found,)))
+    own = wk.ContactStress(wk.EllipticIndentation(bodies, steel, wk.Force(100.0))).solve()
+    assert state.von_mises == pytest.approx(own.von_mises, rel=1e-6)
+    assert [one.value for one in state.shears] == pytest.approx([own.max_shear, own.orthogonal_shear], rel=1e-6)

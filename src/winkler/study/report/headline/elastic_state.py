@@ -20,6 +20,7 @@ from winkler.foundation.bed import PressedSprings
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior import tensor
 from winkler.numerics.types import Array
+from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.normal.strong_parts import StrongPart, solid_parts, strong_parts
 from winkler.study.batch.outcome import SolvedPoint
 from winkler.study.report.headline.shown_contact import medium_of, stressed_contact
@@ -39,7 +40,7 @@ MOST_PIXELS = 256 * 256
 """Larger maps take seconds: their stresses are sought only if a strength was given, for which they are known."""
 ROUND = ("Paraboloid", "Sphere", "NoneType")
 """Profiles whose elastic stress is a power of the load; ellipses have none of their own."""
-MEASURES = (tensor.von_mises, tensor.max_shear, tensor.orthogonal_shear)
+MEASURES: tuple[tensor.Measure, ...] = (tensor.von_mises, tensor.max_shear, tensor.orthogonal_shear)
 
 
 class Deep(NamedTuple):
@@ -125,7 +126,7 @@ def elastic_state(point: SolvedPoint) -> ElasticState | None:
     try:
         contact = stressed_contact(point)
         problem = getattr(contact, "problem", point.problem)
-        if type(getattr(problem, "bed", None)).__name__ == "Foundation" and hasattr(contact, "pressed"):
+        if isinstance(contact, IndentationSolution):
             return _round(contact)
         for form in (_yielded, _ellipse, _strip, _strips, _roller):
             if (found := form(contact, problem)) is not None:
@@ -232,7 +233,7 @@ def _ellipse(solution: Any, problem: Any) -> ElasticState | None:
 
 
 def _strip(solution: Any, problem: Any) -> ElasticState | None:
-    bed = getattr(problem, "bed", None)
+    bed: Any = getattr(problem, "bed", None)
     half_width, force = (getattr(solution, name, None) for name in ("half_width", "force_per_length"))
     if type(bed).__name__ != "LineFoundation" or half_width is None or not isinstance(bed.medium, HalfSpace):
         return None
@@ -336,7 +337,8 @@ def _map(point: SolvedPoint) -> ElasticState | None:
         acting = load if part.first else load.reversed()
         field = acting.field(part.solid.poisson)
         spots = greatest_by_depths(field, MEASURES).greatest
-        found = {measure: Deep(spot.value, spot.z) for measure, spot in zip(MEASURES, spots, strict=True)}
+        found: dict[tensor.Measure, Deep] = {}
+        found |= {measure: Deep(spot.value, spot.z) for measure, spot in zip(MEASURES, spots, strict=True)}
         if part.solid.strength < math.inf:  # between the pixels, as the statement on yield
             spot = greatest_stress(acting, part.solid)
             here = tensor.Tensor(
@@ -360,7 +362,8 @@ def pressed_map(point: SolvedPoint) -> tuple[Any, Any, str] | None:
     point
         A solved point.
     """
-    for holder in (point.solution, point.each[-1], getattr(point.each[-1], "contact", None)):
+    holders: tuple[Any, ...] = (point.solution, point.each[-1], getattr(point.each[-1], "contact", None))
+    for holder in holders:
         patches = getattr(holder, "patches", ())
         if isinstance(patches, tuple) and patches:
             most = max(patches, key=lambda one: float(np.max(one.surface_load.pressure)))
