@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.numerics.types import Array
-from winkler.problems.friction.slip_stack import SlipState, Stack, empty_stack, move, new_piece
+from winkler.problems.friction.slip_stack import SlipStack, SlipState, empty_stack, move, new_piece
 from winkler.values.value import words
 
 __all__ = ["MovedMemory", "SlipMemory", "SlipPieces", "SpringPiece"]
@@ -43,12 +43,12 @@ class SlipPieces:
 
     __slots__ = ("columns", "summed")
 
-    def __init__(self, columns: Stack | None = None) -> None:
+    def __init__(self, columns: SlipStack | None = None) -> None:
         self.columns = empty_stack() if columns is None else columns
         self.summed: object = None
-        """With which sums `Stack.zeroth` and its neighbours were found."""
+        """With which sums `SlipStack.zeroth` and its neighbours were found."""
 
-    def sums_of(self, table: object) -> Stack:
+    def sums_of(self, table: object) -> SlipStack:
         """Return the stack, in which no sums but those of a table are known."""
         if self.summed is not table:
             self.summed = table

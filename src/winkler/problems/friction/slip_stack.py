@@ -23,8 +23,25 @@ from winkler.problems.row import Reached, over
 from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = [
-    "LEAST_DEPTH", "Moments", "SlipCells", "SlipGoal", "SlipState", "Stack", "empty_stack", "make_room", "missed",
-    "moments", "move", "new_piece", "normal_at", "refuse", "settled", "shear", "slip_apart", "slip_step", "stored",
+    "LEAST_DEPTH",
+    "Moments",
+    "SlipCells",
+    "SlipGoal",
+    "SlipStack",
+    "SlipState",
+    "empty_stack",
+    "make_room",
+    "missed",
+    "moments",
+    "move",
+    "new_piece",
+    "normal_at",
+    "refuse",
+    "settled",
+    "shear",
+    "slip_apart",
+    "slip_step",
+    "stored",
     "within",
 ]  # fmt: skip
 
@@ -51,7 +68,7 @@ Moments = tuple[float, float, float]
 """Sums over springs of 1 [N/m], of a length [N] and of its square [J]."""
 
 
-class Stack(NamedTuple):
+class SlipStack(NamedTuple):
     """Pieces that never change, each on top of those within it: lists, or arrays in a kernel.
 
     Parameters
@@ -115,7 +132,7 @@ class SlipCells(NamedTuple):
 
     Parameters
     ----------
-    stack : Stack
+    stack : SlipStack
     table
         With which they are summed up: as of `moments` and `normal_at`.
     bound, ratio, coefficient : float
@@ -128,7 +145,7 @@ class SlipCells(NamedTuple):
         As of `winkler.problems.row.Row`.
     """
 
-    stack: Stack
+    stack: SlipStack
     table: Any
     bound: float
     ratio: float
@@ -141,12 +158,12 @@ class SlipCells(NamedTuple):
     order: int
 
 
-def empty_stack() -> Stack:
+def empty_stack() -> SlipStack:
     """Return a stack without pieces."""
-    return Stack._make([*([] for _ in Stack._fields[:-1]), [0]])
+    return SlipStack._make([*([] for _ in SlipStack._fields[:-1]), [0]])
 
 
-def new_piece(stack: Stack, inner: int, start: float, stop: float, left: float, right: float, side: int) -> int:
+def new_piece(stack: SlipStack, inner: int, start: float, stop: float, left: float, right: float, side: int) -> int:
     """Put a piece on another one, and return its number."""
     piece: int = stack.used[0]
     if piece == len(stack.start):
@@ -163,7 +180,7 @@ def new_piece(stack: Stack, inner: int, start: float, stop: float, left: float, 
 
 
 def _joined(
-    stack: Stack, top: int, dragged: float, start: float, stop: float, left: float, right: float, side: int
+    stack: SlipStack, top: int, dragged: float, start: float, stop: float, left: float, right: float, side: int
 ) -> int:
     """Return the stack with one more piece on it [m], as one with the last if they go on in a straight line."""
     if top >= 0 and stack.side[top] == side:
@@ -212,7 +229,7 @@ def _slid(
 
 
 def _drag(
-    cells: tuple[Stack, Any, float, bool],
+    cells: tuple[SlipStack, Any, float, bool],
     step: tuple[float, float, float],
     stacked: tuple[int, float],
     springs: tuple[float, float, float, float],
@@ -273,7 +290,7 @@ def _drag(
 
 
 def _leave(
-    cells: tuple[Stack, Any, float, bool],
+    cells: tuple[SlipStack, Any, float, bool],
     step: tuple[float, float, float],
     before: float,
     springs: tuple[float, float, float, float],
@@ -306,13 +323,13 @@ def _leave(
 
 
 def move(
-    stack: Stack, table: Any, bound: float, state: SlipState, depth: float, change: float, summed: bool
+    stack: SlipStack, table: Any, bound: float, state: SlipState, depth: float, change: float, summed: bool
 ) -> tuple[int, float, float, Any, Any]:
     """Go a straight step in depth and shift.
 
     Parameters
     ----------
-    stack : Stack
+    stack : SlipStack
     table
         As of `SlipCells`; of no matter unless energies are `summed`.
     bound : float
@@ -378,7 +395,7 @@ def move(
     return top, base, depth, lost, work
 
 
-def within(stack: Stack, table: Any, top: int) -> tuple[Any, Any, Any]:
+def within(stack: SlipStack, table: Any, top: int) -> tuple[Any, Any, Any]:
     """Return the sums of 1 [N/m], of u_t [N] and of u_t^2 [J] over a stack, u_t counted from that on the axis."""
     last, ring = -1, top
     while ring >= 0 and not stack.known[ring]:
@@ -399,14 +416,14 @@ def within(stack: Stack, table: Any, top: int) -> tuple[Any, Any, Any]:
     return zeroth, first, second
 
 
-def shear(stack: Stack, table: Any, top: int, dragged: float) -> float:
+def shear(stack: SlipStack, table: Any, top: int, dragged: float) -> float:
     """Return the integral of u_t dK [N]: the shear force over the ratio."""
     zeroth, first, _ = within(stack, table, top)
     total: float = first + (stack.axis[top] + dragged) * zeroth if top >= 0 else 0.0
     return total
 
 
-def stored(stack: Stack, table: Any, top: int, dragged: float) -> float:
+def stored(stack: SlipStack, table: Any, top: int, dragged: float) -> float:
     """Return half the integral of u_t^2 dK [J]: the stored energy over the ratio."""
     zeroth, first, second = within(stack, table, top)
     middle = stack.axis[top] + dragged if top >= 0 else 0.0
@@ -414,7 +431,7 @@ def stored(stack: Stack, table: Any, top: int, dragged: float) -> float:
     return energy
 
 
-def _stiffness(stack: Stack, table: Any, top: int, depth: float, before: float) -> float:
+def _stiffness(stack: SlipStack, table: Any, top: int, depth: float, before: float) -> float:
     """Return how the shear force after a step from a depth grows with the shift of that step, over the ratio [N/m].
 
     The stack has been summed up (`within`).
@@ -477,7 +494,7 @@ def slip_step(cells: SlipCells, state: SlipState, goal: SlipGoal) -> Reached[Sli
     return Reached(state, 0.0, 0.0)
 
 
-def _beyond(stack: Stack, top: int, other: int) -> int:
+def _beyond(stack: SlipStack, top: int, other: int) -> int:
     """Return the innermost of the pieces of a stack that are not pieces of another one; -1 for none."""
     last = -1
     while top != other and top >= 0:
@@ -489,7 +506,7 @@ def _beyond(stack: Stack, top: int, other: int) -> int:
     return last
 
 
-def _displaced(stack: Stack, ring: int, state: SlipState, gap: float) -> float:
+def _displaced(stack: SlipStack, ring: int, state: SlipState, gap: float) -> float:
     """Return u_t of a spring at the edge of pieces, from an inner one outwards [m]; zero outside of the contact."""
     if ring < 0 or gap > state.depth:
         return 0.0
@@ -516,7 +533,7 @@ def slip_apart(cells: SlipCells, one: Reached[SlipState], two: Reached[SlipState
     return max(over(most, cells.near), over(abs(one.lost - two.lost), cells.cheap))
 
 
-def settled(stack: Stack, top: int, mark: int) -> int:
+def settled(stack: SlipStack, top: int, mark: int) -> int:
     """Return a stack of which the pieces from a number on have moved there, all others of them being forgotten."""
     last = -1
     while top >= mark:
@@ -534,14 +551,14 @@ def settled(stack: Stack, top: int, mark: int) -> int:
     return top
 
 
-def stack_numbers(stack: Stack) -> tuple[Any, ...]:
+def stack_numbers(stack: SlipStack) -> tuple[Any, ...]:
     """Return the columns of a stack that hold numbers."""
     return (
         stack.start, stack.stop, stack.left, stack.right, stack.axis, stack.zeroth, stack.first, stack.second,
     )  # fmt: skip
 
 
-def stack_wholes(stack: Stack) -> tuple[Any, ...]:
+def stack_wholes(stack: SlipStack) -> tuple[Any, ...]:
     """Return the columns of a stack that hold whole numbers."""
     return stack.side, stack.count, stack.stuck, stack.known
 
@@ -558,7 +575,7 @@ def normal_at(table: Any, depth: float) -> Moments:
     return sums
 
 
-def make_room(stack: Stack) -> None:
+def make_room(stack: SlipStack) -> None:
     """Make room for more pieces."""
     for column in stack[:-1]:
         column.extend([0] * ROOM)

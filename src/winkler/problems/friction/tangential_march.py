@@ -23,8 +23,8 @@ from winkler.problems.friction.slip_stack import (
     SLIDING_TOLERANCE,
     SlipCells,
     SlipGoal,
+    SlipStack,
     SlipState,
-    Stack,
     move,
     settled,
     slip_apart,
@@ -297,7 +297,7 @@ def _slip_order(cells: SlipCells) -> int:
     return cells.order
 
 
-def _no_room(stack: Stack) -> None:
+def _no_room(stack: SlipStack) -> None:
     raise MemoryError("a longer stack is needed")
 
 
@@ -309,14 +309,14 @@ def _missed(target: float, short: float) -> None:
     raise NotConverged("the force is not met")
 
 
-def arrays_of(stack: Stack) -> Stack:
+def arrays_of(stack: SlipStack) -> SlipStack:
     """Return a stack as arrays, with room for more."""
     used, columns = stack.used[0], []
-    for name, column in zip(Stack._fields[:-1], stack[:-1], strict=True):
+    for name, column in zip(SlipStack._fields[:-1], stack[:-1], strict=True):
         longer = np.zeros(2 * used + ROOM, dtype=int if name in WHOLE else float)
         longer[:used] = column[:used]
         columns.append(longer)
-    return Stack._make([*columns, np.array([used])])
+    return SlipStack._make([*columns, np.array([used])])
 
 
 SLIP_REACH = Instead(

@@ -129,6 +129,7 @@ class MapRow(Row[MapGoal, MapPlaces]):
         self.gaps, self.pixel, self.periodic, self.modulus = rough.gaps, rough.pixel, rough.periodic, medium.modulus
         self.compliance, self.law, self.tolerance = compliance_of(medium).in_units_of(self.pixel[0]), law, tolerance
         self.layers, self.course, self.by_force = layers_of(medium), course, by_force
+        self.relaxes = course.moduli.size > 0
         self.coupled = self.compliance.coupling != 0.0  # pressures draw the surface along
         nx, ny = self.gaps.shape
         self.shape, self.aspect = (nx, ny), (1.0, self.pixel[1] / self.pixel[0])
@@ -159,7 +160,7 @@ class MapRow(Row[MapGoal, MapPlaces]):
             If the step is not solved to the tolerance.
         """
         drive, memory = goal.drive, state.memory.begin(0.0 if math.isnan(state.time) else goal.time - state.time)
-        stiffer, relaxes, pushed = state.memory.scale / memory.scale, memory.relaxes, max(drive)
+        stiffer, pushed = state.memory.scale / memory.scale, max(drive)
         pressed = state.pressed._replace(pressure=stiffer * state.pressed.pressure)
         state = state._replace(
             time=goal.time, pressed=pressed, traction=stiffer * state.traction, memory=memory,
@@ -168,7 +169,7 @@ class MapRow(Row[MapGoal, MapPlaces]):
         given = np.where(self.by_force, goal.motions / memory.scale, goal.motions - state.place)
         push = drive if isinstance(drive, ByDepth) else ByLoad(drive.load / memory.scale)
         everywhere = (slice(None), slice(None))
-        gaps = self._sunk(memory) if relaxes else self.gaps
+        gaps = self._sunk(memory) if self.relaxes else self.gaps
         if not pushed > 0.0:
             pressed = self._apart(gaps, pushed if isinstance(drive, ByDepth) else float(np.min(gaps)))
             self._refuse(given, pressed.pressure, everywhere, memory.scale)
@@ -180,7 +181,7 @@ class MapRow(Row[MapGoal, MapPlaces]):
             box, grid = everywhere, self._grid(everywhere)
             pressed, sheared = self._by_turns(state, grid, push, given, gaps, near)
         else:
-            if relaxes or pushed != state.drive:
+            if self.relaxes or pushed != state.drive:
                 pressed = self._press(push, gaps, pressed.pressure if near else np.empty(0))
             box = everywhere if self.periodic else box_around(memory.touched() | (pressed.pressure > 0.0))
             here = (slice(None), *box)
@@ -250,7 +251,7 @@ class MapRow(Row[MapGoal, MapPlaces]):
     ) -> Reached[MapPlaces]:
         """Return the map at the end of a step, under whose tractions a part of it is displaced along the surface."""
         memory = state.memory.end(np.concatenate((state.pressed.pressure[None], state.traction)))
-        carried = grid.sheared(memory.base[1:][(slice(None), *box)]) if memory.relaxes else 0.0
+        carried = grid.sheared(memory.base[1:][(slice(None), *box)]) if self.relaxes else 0.0
         stored, lost = memory.energies(grid, box, displacement + carried)
         state = state._replace(memory=memory, stored=stored, bulk_loss=state.bulk_loss + lost)
         return Reached(state, math.nan, self.patch * self.pixel[0] * (rubbed + lost))

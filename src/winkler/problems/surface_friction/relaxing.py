@@ -120,18 +120,13 @@ class SurfaceMemory(NamedTuple):
         none, parts = np.zeros((3, *shape)), np.zeros((series.moduli.size, 3, *shape))
         return cls(series, none, none, parts, parts, none, series.glassy, np.zeros(series.moduli.size))
 
-    @property
-    def relaxes(self) -> bool:
-        """Whether the bodies relax."""
-        return self.series.moduli.size > 0
-
     def touched(self) -> Array:
         """Which pixels have borne something that is remembered, ``(nx, ny)``."""
         return np.asarray(np.any(self.held, 0) | np.any(self.parts, (0, 1)))
 
     def begin(self, dt: float) -> SurfaceMemory:
         """Return what is remembered at the beginning of a step of a duration [s], with its A and b."""
-        if not self.relaxes:
+        if self.spans.size == 0:
             return self
         series, spans = self.series, dt / self.series.times
         lifted = float(series.moduli @ _rising(spans))
@@ -143,7 +138,7 @@ class SurfaceMemory(NamedTuple):
         """Return what is remembered at its end, under pressures and tractions over A, ``(3, nx, ny)``."""
         held, parts = borne + self.base, self.parts
         change = held - self.held
-        if self.relaxes:
+        if self.spans.size > 0:
             fading, rising = (row[:, None, None, None] for row in (np.exp(-self.spans), _rising(self.spans)))
             parts = fading * parts + rising * change
         return self._replace(held=held, change=change, parts=parts, earlier=self.parts)
@@ -162,7 +157,7 @@ class SurfaceMemory(NamedTuple):
         """
         here, series = (slice(1, None), *box), self.series
         stored, lost = 0.5 * series.relaxed * float(np.sum(self.held[here] * moved)), 0.0
-        if not self.relaxes:
+        if self.spans.size == 0:
             return stored, lost
         change, fading, rising = self.change[here], np.exp(-self.spans), _rising(self.spans)
         turned = grid.sheared(change)
