@@ -41,7 +41,7 @@ TEXT_COUNTS = 1000
 """Points of a curve that a hidden text counts for."""
 
 
-def named(found: Iterable[marks.Mark]) -> list[Any]:
+def named(found: Iterable[Any]) -> list[Any]:
     """Return the marks that have a name, points and curves before bars."""
     known = [mark for mark in found if getattr(mark, "name", "") and not mark.name.startswith("_")]
     return sorted(known, key=lambda mark: isinstance(mark, marks.Bars) or getattr(mark, "error_y", None) is not None)

@@ -135,7 +135,8 @@ def contour_lines(mark: Map) -> list[Array]:
 
     own = isinstance(mark.lines, np.ndarray)
     levels = mark.lines / mark.bar.scale.factor if own else levels_of(mark)[0 if mark.lines else 1 :]
-    maker = contour_generator(*(mark.centres or (mark.x, mark.y)), _shown(mark))
+    x, y = mark.centres or (mark.x, mark.y)
+    maker: Any = contour_generator(x, y, _shown(mark))
     return [line for level in levels for line in maker.lines(float(level))]
 
 

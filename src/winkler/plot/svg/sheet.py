@@ -318,7 +318,7 @@ def _bar_axis(mark: marks.Map, frame: Rectangle) -> tuple[PanelAxis, Side]:
     elif colours.log:
         return PanelAxis(mark.bar.label, mark.bar.scale, log=True, plain=mark.bar.plain), side
     else:
-        wanted = round_steps(*sorted((side.low, side.high)), MOST_BAR_LABELS)
+        wanted = round_steps(min(side[:2]), max(side[:2]), MOST_BAR_LABELS)
     return PanelAxis(mark.bar.label, mark.bar.scale, ticks=wanted * factor), side
 
 
@@ -340,13 +340,13 @@ def _bar(mark: marks.Map, frame: Rectangle) -> str:
         if bands:
             colour = band_colour(mark, number + (mark.extend in ("min", "both")), steps[number], steps[number + 1])
         else:
-            colour = colours.text(side.at(0.5 * (low + high)))
+            colour = colours.text(float(side.at(0.5 * (low + high))))
         over = 0.3 if number + 2 < len(places) else 0.0  # no light between two steps
         text += Rectangle(left, high - over, left + BAR, low).drawn(f'fill="{colour}"')
-    for end, sign, edge, number in (("max", -1.0, places[-1], side.high), ("min", 1.0, places[0], side.low)):
+    for end, sign, edge, beyond in (("max", -1.0, places[-1], side.high), ("min", 1.0, places[0], side.low)):
         if mark.extend in (end, "both"):
             tip = f"M{left:.1f} {edge:.2f}l{0.5 * BAR:g} {sign * BAR:g} {0.5 * BAR:g} {-sign * BAR:g}z"
-            text += f'<path d="{tip}" fill="{colours.text(number)}"/>'
+            text += f'<path d="{tip}" fill="{colours.text(beyond)}"/>'
     ticks = _inside(ticks_of(axis, side, TICK_SIZE, across=False), side)
     marks_at = "".join(f"M{left + BAR:.1f} {y:.1f}h{TICK}" for y in side.place(ticks.places).tolist())
     text += f'<path class="frame" d="{marks_at}" {stroke(style.MUTED, 0.8, blunt=True)}/>'
