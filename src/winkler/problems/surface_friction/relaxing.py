@@ -71,7 +71,7 @@ def course_of(owner: str, medium: Any) -> tuple[MappedMedium, RelaxationSeries]:
             f"{owner}: a dashpot alongside bears pixels that are caught suddenly with an infinite pressure; give a "
             "solid without one, such as StandardSolid or Prony."
         )
-    bodies = [getattr(medium, name, None) for name in ("first", "second")]
+    bodies: list[Any] = [getattr(medium, name, None) for name in ("first", "second")]
     if not any(isinstance(body, ViscoelasticSolid) for body in bodies):
         return medium.elastic, series
     alone = any(isinstance(body, Rigid) for body in bodies)
