@@ -79,7 +79,7 @@ def svg_element(shown: ReportFigure, description: str) -> str:
     text = re.sub(r"url\(#", f"url(#{name}-", text)
     wide = f'style="max-width:{shown.drawing.width * 1.6:.0f}px"'
     said = f'role="img" aria-label="{description}" {wide}'
-    return re.sub(r'^<svg ([^>]*?) width="[^"]*" height="[^"]*"', lambda head: f"<svg {head[1]} {said}", text, count=1)
+    return re.sub(r' width="[^"]*" height="[^"]*" (viewBox="[^"]*")', lambda size: f" {size[1]} {said}", text, count=1)
 
 
 def figure_files(shown: tuple[ReportFigure, ...], formats: tuple[str, ...]) -> dict[str, bytes]:
