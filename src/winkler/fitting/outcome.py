@@ -21,8 +21,8 @@ __all__ = ["AnyFit", "CreepFit", "Fit", "ViscoelasticFit"]
 QUASISTATIC = Note(
     Assumption.CURVE,
     Standing.APPROXIMATE,
-    "Machine and liquid: the cantilever has no inertia, and the drag of a liquid is proportional to the "
-    "velocity of its base, if drag is free; an adhesive pull is no part of the model.",
+    "Machine and liquid: the model has no inertia of the cantilever and no adhesive pull. The drag of a liquid "
+    "is proportional to the velocity of the cantilever base, if drag is free.",
     "assumptions of the fit",
 )
 

@@ -110,8 +110,8 @@ class EllipticFoundation(UnderProfile):
             Note(
                 Assumption.SHAPE,
                 Standing.EXACT,
-                f"The springs stand for an ellipse of b/a = {self.bodies.slenderness:.4g}: force, depth and "
-                "stiffness are Hertz's; the radius is that of the disc of equal stiffness.",
+                f"The springs represent an ellipse with b/a = {self.bodies.slenderness:.4g}. Force, depth and "
+                "stiffness are those of Hertz; the radius is that of the disc of equal stiffness.",
                 JOHNSON,
             ),
         )

@@ -213,24 +213,21 @@ class MeasuredBed:
     @property
     def notes(self) -> tuple[Note, ...]:
         """What the points are, and how well they were fitted."""
-        how = (
-            f"; the force curve behind them is met within {self.scatter:.3g} N (root mean square)"
-            if self.scatter
-            else ""
-        )
+        how = f"; the force curve is met within {self.scatter:.3g} N (root mean square)" if self.scatter else ""
         return (
             Note(
                 Assumption.RESPONSE,
                 Standing.APPROXIMATE if self.scatter else Standing.ASYMPTOTIC,
-                f"Stiffness and depth were given at {self.radii.size} contact radii{how}; what follows from them is as "
-                "good as they are, for bodies of any shape.",
+                f"Stiffness and depth were given at {self.radii.size} contact radii{how}. Results are as accurate "
+                "as these values, for bodies of any shape.",
                 BARBER,
             ),
             Note(
                 Assumption.SHAPE,
                 Standing.ASYMPTOTIC,
-                "Radii are those of discs of equal stiffness, and slopes those of the body of revolution that a "
-                "homogeneous half-space would need; the true body and its pressure are not known.",
+                "Radii are those of discs of equal stiffness. Slopes are those of the body of revolution that "
+                "would have this stiffness on a homogeneous half-space. The true body and its pressure are not "
+                "known.",
                 "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, "
                 "doi:10.1007/978-3-642-53876-6",
             ),

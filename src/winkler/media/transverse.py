@@ -63,8 +63,8 @@ class TransverselyIsotropicHalfSpace(HomogeneousMedium):
         Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "Frictionless contact of homogeneous half-spaces, transversely isotropic about the surface normal: "
-            "pressure and depth follow from the isotropic solution with the effective modulus.",
+            "Frictionless contact of homogeneous half-spaces, transversely isotropic about the surface normal. "
+            "Pressure and depth follow from the isotropic solution with the effective modulus.",
             "H. A. Elliott, Proc. Camb. Phil. Soc. 45 (1949) 621, doi:10.1017/S0305004100025305",
         ),
     )

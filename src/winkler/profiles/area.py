@@ -130,8 +130,8 @@ class AreaFunction(Shape):
         Note(
             Assumption.SHAPE,
             Standing.APPROXIMATE,
-            "The indenter is replaced by the body of revolution with the same cross-sections; for a pyramid the "
-            "force at a given depth is then 3 to 7 % low.",
+            "The indenter is replaced by the body of revolution with the same cross-sections. For a pyramid the "
+            "force at a given depth is then 3 to 7 % too low.",
             "boundary-element solution of the sharp pyramid, theory sheet 1.3",
         ),
     )

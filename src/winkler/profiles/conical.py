@@ -212,8 +212,8 @@ class _EqualAreaCone(PowerPieces):
                 Assumption.SHAPE,
                 Standing.APPROXIMATE,
                 "The pyramid is replaced by the cone of equal cross-section (half-angle "
-                f"{math.degrees(self.half_angle):.2f} deg). On an elastic half-space its force at a given depth is "
-                f"{self._error} below the pyramid's, which `Pyramid` has.",
+                f"{math.degrees(self.half_angle):.2f} deg). On an elastic half-space the force of the cone at a "
+                f"given depth is {self._error} below that of the pyramid. `Pyramid` has the force of the pyramid.",
                 "boundary-element solution of the sharp pyramid, theory sheet 1.3",
             ),
         )

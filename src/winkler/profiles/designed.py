@@ -101,10 +101,7 @@ class Designed(Shape):
     @property
     def notes(self) -> tuple[Note, ...]:
         """How well the body fits what was prescribed."""
-        text = (
-            f"The body was computed to order and misses what was prescribed by {self.tolerance:.2g} of its greatest "
-            "value."
-        )
+        text = f"The designed body differs from the prescribed curve by {self.tolerance:.2g} of its maximum."
         standing = Standing.ASYMPTOTIC if self.tolerance < 1e-4 else Standing.APPROXIMATE
         return (Note(Assumption.SHAPE, standing, text, "misfit of the convex curve through the prescribed points"),)
 

@@ -101,7 +101,7 @@ def test_modulus_and_time_of_a_hold_that_is_too_short():
 def test_notes_say_what_is_assumed():
     found = fit(loop(1), start("loop"), free=FREE["loop"])
     flags = " ".join(note.statement for note in found.validity)
-    for words in ("Linear viscoelastic", "Baseline", "cantilever has no inertia"):
+    for words in ("Linear viscoelastic", "Baseline", "no inertia of the cantilever"):
         assert words in flags
     assert bed(start("loop").bed.medium.first).medium.span == (1e-3, 20.0)
 

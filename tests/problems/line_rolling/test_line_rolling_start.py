@@ -41,8 +41,8 @@ def test_the_stated_error_holds_from_small_forces_to_sliding(ratio, error):
     found = begun(ratio, distance=6.0, count=80, points=1)
     assert found.longitudinal_creepage[-1] == pytest.approx(steady, rel=error)
     (stated,) = (note.statement for note in found.validity if "80 elements" in note.statement)
-    assert "up to 0.2 % of Carter's. This holds from a tenth to nine tenths" in stated
-    assert "beyond, it is 0.6 %" in stated
+    assert "from Carter's by at most 0.2 %. This holds for shear forces of 10 to 90 % of mu P" in stated
+    assert "outside this range the difference is 0.6 %" in stated
 
 
 @pytest.mark.slow

@@ -79,7 +79,7 @@ def test_turned_maps_and_loads():
 def test_a_tight_seal_says_so():
     found = Seal(SurfaceContact(rough(), STEEL, Force([30.0, 20e3])), 1e-3, 1e5).solve()
     assert found.leak_rate[1] == found.critical_gap[1] == found.flow_factor[1] == 0.0
-    assert any("1 of 2 loads no way" in note.statement for note in found.validity)
+    assert any("1 of 2 loads no path" in note.statement for note in found.validity)
 
 
 def test_fluid_that_would_lift_the_body_is_flagged():

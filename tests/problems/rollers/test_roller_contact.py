@@ -254,7 +254,7 @@ def test_a_grid_that_only_just_reaches_the_end_says_so():
     roller = wk.RollerContact(10e-3, 10e-3, ends, pair, wk.Force(10e3), wk.Tilt(1e-3), 64).solve()
     (note,) = (one for one in roller.validity if one.assumption is Assumption.RESOLUTION)
     assert note.standing is Standing.OUTSIDE
-    assert "take more elements" in note.statement
+    assert "use more elements" in note.statement
 
 
 def test_many_loads_are_taken_one_by_one():

@@ -201,9 +201,9 @@ class TestMoment:
         solution = rolling(Creepage(0.0, [small, 0.0], [0.0, small / a]), a=a, b=b).solve()
         lateral, spin = np.array(solution.moment) / (a * b * small * np.array([-math.sqrt(a * b), b]))
         (sentence,) = (
-            note.statement for note in solution.validity if "under lateral creepage begins" in note.statement
+            note.statement for note in solution.validity if "slope of the moment under lateral" in note.statement
         )
-        stated = float(re.search(r"begins at (\S+) per cent", sentence)[1]) / 100.0
+        stated = float(re.search(r"creepage is (\S+) per cent", sentence)[1]) / 100.0
         assert lateral / float(known["C32"]) == pytest.approx(stated, abs=0.02)
         assert -0.28 < spin / float(known["C33"]) - 1.0 < 0.07
 
@@ -374,4 +374,4 @@ class TestRefused:
         notes = [note for note in problem.solve().validity if "semi-axes" in note.statement]
         assert [note.standing.value for note in notes] == [standing]
         given = rolling(Creepage(1e-3)).solve().validity
-        assert any("The ellipse was given" in note.statement for note in given)
+        assert any("The contact ellipse was given" in note.statement for note in given)

@@ -28,7 +28,7 @@ def test_layers_of_the_same_solid_roll_as_a_half_space():
         found = rolled(medium)
         for name in ("longitudinal_force", "lateral_force", "moment", "stick_share", "depth"):
             assert getattr(found, name) == pytest.approx(getattr(want, name), rel=rel, abs=1e-6), name
-    assert any("Tractions along layers also displace their surface" in note.statement for note in found.validity)
+    assert any("Tangential tractions on layers also displace the surface" in note.statement for note in found.validity)
     with pytest.raises(wk.OutsideValidity, match="the stress below the surface of a height map"):
         found.stresses(0.0, 0.0, 1e-4)
 

@@ -245,6 +245,6 @@ def test_creepages_that_are_not_small_are_noted(creepage, standing):
     stated = wk.SurfaceRolling(rough, pair(0.3), wk.Force(1e-2), wk.Coulomb(MU), creepage)
     begun = wk.SurfaceRollingStart(rough, pair(0.3), wk.Force(1e-2), wk.Coulomb(MU), creepage, distance=0.1)
     for solution in (stated.solve(), begun.solve()):
-        (note,) = (note for note in solution.validity if "creepages as small against one" in note.statement)
+        (note,) = (note for note in solution.validity if "creepages small compared with one" in note.statement)
         assert note.standing is standing
-        assert ("takes them below 10 per cent" in note.statement) == (standing is wk.Standing.OUTSIDE)
+        assert ("its limit is 10 per cent" in note.statement) == (standing is wk.Standing.OUTSIDE)

@@ -1,4 +1,4 @@
-"""Coatings that relax each by a law of its own: against elastic stacks, Ting, and an own march on rings."""
+"""Coatings that has its own relaxation function: against elastic stacks, Ting, and an own march on rings."""
 
 from __future__ import annotations
 
@@ -194,7 +194,7 @@ def test_what_is_refused():
     for solid, why in ((Maxwell(1.0, 1.0), "flows for ever"), (KelvinVoigt(1.0, 1.0), "infinite modulus")):
         with pytest.raises(InvalidInput, match=why):
             ViscoelasticCoatedHalfSpace([ViscoelasticLayer(solid, 0.1)], on=BASE)
-    with pytest.raises(InvalidInput, match="relax each by a law of its own"):
+    with pytest.raises(InvalidInput, match="has its own relaxation function"):
         wk.ViscoelasticImpact(bed(ViscoelasticCoatedHalfSpace([layer], on=BASE)), mass=1.0, velocity=1.0)
     with pytest.raises(InvalidInput, match="body of revolution"):
         CreepTest(wk.PlaneFoundation(BALL, COATED), 1.0, [1.0])

@@ -217,4 +217,4 @@ def test_a_push_on_relaxing_layers_balances():
     path = Path(TIME, Force(1e-3), ShearForce(0.5 * MU * 1e-3 * np.sin(np.pi * TIME) ** 3))
     ours = wk.Tangential(wk.Foundation(wk.Paraboloid(1.0), medium), Coulomb(MU), path, count=100).solve()
     assert ours.work - ours.stored_energy - ours.dissipation == pytest.approx(0.0, abs=1e-12 * np.max(ours.work))
-    assert [note for note in ours.validity if "depend on the distance from the axis alone" in note.statement]
+    assert [note for note in ours.validity if "parallel to the motion and axisymmetric" in note.statement]

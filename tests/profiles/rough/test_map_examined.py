@@ -157,5 +157,5 @@ def test_a_part_of_a_surface_is_not_periodic():
     part = Topography(whole.heights[:90, :], [90 / 256, 1.0], periodic=True)
     (note,) = map_notes(part)
     assert note.standing is Standing.OUTSIDE
-    assert note.statement.endswith("what is repeated has a cliff there; leave periodic out.")
+    assert note.statement.endswith("The periodic continuation has a cliff there: leave periodic out.")
     assert map_notes(Topography(part.heights, part.lengths)) == ()

@@ -337,8 +337,9 @@ class MeasuredConstrictionSolution:
                 Note(
                     Assumption.ELASTIC,
                     Standing.OUTSIDE,
-                    f"Resistances lie {200 * abs(turned.value):.2g} % {word} while the force rises than while it falls"
-                    ": the bodies yielded, or the film broke; give the rows of one way alone.",
+                    f"Resistances are {200 * abs(turned.value):.2g} % {word} during loading than during "
+                    "unloading: the bodies yielded, or the film broke. Give the rows of loading or of unloading "
+                    "only.",
                     SOURCE,
                 )
             )
@@ -358,8 +359,9 @@ class MeasuredConstrictionSolution:
         return Note(
             Assumption.CONDUCTION,
             standing_of(self.scatter, SMALL_SCATTER, LARGE_SCATTER),
-            f"Intervals of 95 % are {', '.join(ends)}{rest}. The resistance falls with the power {self.exponent:.3f} ± "
-            f"{self.exponent_error:.2g} of the force, and scatters by {100 * self.scatter:.2g} %. One smooth contact "
-            "is assumed: of rough bodies many spots conduct, and the same law has other numbers.",
+            f"The 95 % intervals are {', '.join(ends)}{rest}. The resistance falls with the force to the power "
+            f"{self.exponent:.3f} ± {self.exponent_error:.2g}, with a scatter of {100 * self.scatter:.2g} %. One "
+            "smooth contact is assumed. Rough bodies conduct through many spots, for which the same law has "
+            "other constants.",
             SOURCE,
         )

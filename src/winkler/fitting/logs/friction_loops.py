@@ -374,9 +374,9 @@ class FrictionLoopsSolution:
             Note(
                 Assumption.CURVE,
                 standing_of(self.misfit, SMALL_MISFIT, LARGE_MISFIT),
-                f"The residuals of {self.fitted:.0f} of {len(log.cycles)} cycles are {100 * self.misfit:.2g} % of the "
-                f"amplitude of the force; the coefficient is {low:.4g} to {high:.4g} (95 %), as far as it is the same "
-                "at all places and speeds.",
+                f"The residuals of {self.fitted:.0f} of {len(log.cycles)} cycles are {100 * self.misfit:.2g} % of "
+                f"the force amplitude. The coefficient of friction lies between {low:.4g} and {high:.4g} (95 %), "
+                "if it is the same at all places and speeds.",
                 SOURCE,
             )
         ]
@@ -389,8 +389,8 @@ class FrictionLoopsSolution:
                 Note(
                     Assumption.SLIP,
                     Standing.OUTSIDE,
-                    f"The loops hardly open: the shear force reaches {100 * part:.3g} % of sliding, and the "
-                    "coefficient is not determined; move farther.",
+                    f"The loops are nearly closed: the shear force reaches {100 * part:.3g} % of the sliding "
+                    "force. The coefficient is not determined; use a larger amplitude.",
                     SOURCE,
                 )
             )
@@ -398,13 +398,16 @@ class FrictionLoopsSolution:
         rest = self.series_compliance - self.problem.frame_compliance
         if abs(rest) > 2.0 * self.series_compliance_error + 0.1 * more:
             softer = "softer" if rest > 0.0 else "stiffer"
+            frame = f"A frame compliance of {with_unit(max(self.series_compliance, 0.0), 'm/N', 3)}"
+            why = f"{frame} would explain this" if self.series_compliance > 0.0 else "No frame compliance explains this"
+            if rest > 0.0:
+                why += ", or rough bodies"
             notes.append(
                 Note(
                     Assumption.RESPONSE,
                     Standing.APPROXIMATE,
-                    f"The contact seems {softer} than the bed ({with_unit(self.contact_stiffness, 'N/m', 3)} for "
-                    f"{with_unit(self.expected_stiffness, 'N/m', 3)}): a frame compliance of "
-                    f"{with_unit(max(self.series_compliance, 0.0), 'm/N', 3)} would explain it, or rough bodies.",
+                    f"The contact appears {softer} than the foundation: {with_unit(self.contact_stiffness, 'N/m', 3)} "
+                    f"instead of {with_unit(self.expected_stiffness, 'N/m', 3)}. {why}.",
                     SOURCE,
                 )
             )
@@ -413,8 +416,9 @@ class FrictionLoopsSolution:
                 Note(
                     Assumption.CURVE,
                     Standing.APPROXIMATE,
-                    f"The log has a normal force of {with_unit(float(np.mean(pressed)), 'N', 3)}, the study one of "
-                    f"{with_unit(load, 'N', 3)}: the coefficient is that of the log, the stiffness that of the study.",
+                    f"The normal force is {with_unit(float(np.mean(pressed)), 'N', 3)} in the log and "
+                    f"{with_unit(load, 'N', 3)} in the study. The coefficient is that of the log, the stiffness "
+                    "that of the study.",
                     SOURCE,
                 )
             )

@@ -25,8 +25,8 @@ INTERCEPT = 0.75
 UNSEEN = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
-    "Pile-up: a continuous stiffness without an unloading does not show how much of the depth remains; material that "
-    "piles up at the edge makes hardness and modulus too large.",
+    "Pile-up: a continuous stiffness without unloading does not show how much of the depth remains. For material "
+    "that piles up at the edge hardness and modulus are too large.",
     PILE_UP,
 )
 

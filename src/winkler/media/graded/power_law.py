@@ -174,16 +174,19 @@ class GradedHalfSpace:
             Note(
                 Assumption.RESPONSE,
                 Standing.EXACT,
-                "Frictionless contact of half-spaces whose modulus follows a power of the depth with constant Poisson "
-                "ratio: for one round contact the springs give the three-dimensional solution itself.",
+                "Frictionless contact of half-spaces whose modulus follows a power of the depth with constant "
+                "Poisson's ratio. For one round contact the springs are equal to the three-dimensional solution.",
                 BOOKER,
             ),
             Note(
                 Assumption.RESPONSE,
                 Standing.ASYMPTOTIC,
-                "The power law gives the surface itself the modulus "
-                + ("zero" if self.exponent > 0.0 else "infinity" if self.exponent < 0.0 else "of the bulk")
-                + "; a real grading follows it over a range of depths that must contain the contact radius.",
+                "According to the power law the modulus at the surface itself is "
+                + ("zero" if self.exponent > 0.0 else "infinite" if self.exponent < 0.0 else "that of the bulk")
+                + (
+                    ". A real graded body follows the law over a range of depths, which must contain the contact "
+                    "radius."
+                ),
                 "A. E. Giannakopoulos, S. Suresh, Int. J. Solids Struct. 34 (1997) 2357-2392",
             ),
         )

@@ -308,8 +308,8 @@ class StackMedium(LayeredMedium):
         if mode is Mode.ACROSS:
             return FloatingAcross(mode, StackBody(self.stack[:slides], RIGID), self.second)
         raise OutsideValidity(
-            f"{type(self).__name__}: layer {slides} slides on what lies below it and bears no shear there, so "
-            "that under a push it slides away; give layers that are bonded."
+            f"{type(self).__name__}: layer {slides} slides on its base and carries no shear there. Under a "
+            "tangential load it would slide away. Give bonded layers."
         )
 
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
@@ -374,8 +374,8 @@ class CoatedHalfSpace(StackMedium):
         Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "Frictionless contact of perfectly bonded, isotropic, linear elastic layers: k and g follow from the "
-            "flat punches of the stack without approximation, for one round contact.",
+            "Frictionless contact of perfectly bonded, isotropic, linear elastic layers. For one round contact k "
+            "and g follow exactly from flat punches on the layers.",
             BARBER,
         ),
     )
@@ -440,9 +440,9 @@ class StackedHalfSpace(StackMedium):
         Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "Frictionless contact of linear elastic layers, isotropic or transversely isotropic about the surface "
-            "normal, each bonded to what lies below it or sliding there without friction or gap. For one round "
-            "contact k and g follow from the flat punches of the stack without approximation.",
+            "Frictionless contact of linear elastic layers, isotropic or transversely isotropic about the "
+            "surface normal. Each layer is bonded to the material below, or slides on it without friction or "
+            "gap. For one round contact k and g follow exactly from flat punches on the layers.",
             BARBER,
         ),
     )
@@ -512,8 +512,8 @@ class SlidingFilm(StackMedium):
         Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "Frictionless contact of an isotropic, linear elastic layer that slides on its base without friction and "
-            "does not lift off. For one round contact k and g follow from its flat punches without approximation.",
+            "Frictionless contact of an isotropic, linear elastic layer that slides on its base without friction "
+            "and does not lift off. For one round contact k and g follow exactly from flat punches on the layer.",
             BARBER,
         ),
     )

@@ -91,8 +91,8 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
     """
 
     described: ClassVar[str] = "Perfectly bonded, isotropic, linear viscoelastic layers"
-    reason: ClassVar[str] = "the layers of the bed relax each by a law of its own,"
-    alike: ClassVar[str] = "RelaxingInProportion(medium, solid, shear) of layers that relax alike"
+    reason: ClassVar[str] = "each layer of this medium has its own relaxation function."
+    alike: ClassVar[str] = "RelaxingInProportion(medium, solid, shear) of layers with a common relaxation function"
 
     layers: tuple[Layer | ViscoelasticLayer, ...]
     on: ViscoelasticSolid | Elastic | Rigid
@@ -172,8 +172,9 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
         Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "Frictionless contact of perfectly bonded, isotropic, linear viscoelastic layers with Poisson's ratios "
-            "that do not change in time, without inertia: tractions are superposed over the history, wave by wave.",
+            "Frictionless contact of perfectly bonded, isotropic, linear viscoelastic layers with constant "
+            "Poisson's ratios, without inertia. The pressures are superposed over the history, separately for "
+            "each wavelength.",
             LEE,
         ),
     )

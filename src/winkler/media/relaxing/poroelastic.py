@@ -103,8 +103,10 @@ class PoroelasticFilm(RelaxingByWaves):
     described: ClassVar[str] = (
         "A film by Biot's linear theory, bonded to a rigid base and drained all over its surface,"
     )
-    reason: ClassVar[str] = "the liquid leaves the film the later, the wider the contact is,"
-    alike: ClassVar[str] = "an elastic film, CoatedHalfSpace, of the drained network or, at first, with poisson=0.5"
+    reason: ClassVar[str] = "the liquid leaves the film more slowly under wider contacts."
+    alike: ClassVar[str] = (
+        "an elastic CoatedHalfSpace: with the drained Poisson's ratio for long times, or poisson=0.5 for short times"
+    )
 
     shear: Positive
     poisson: Annotated[
@@ -185,11 +187,11 @@ class PoroelasticFilm(RelaxingByWaves):
         Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "Frictionless contact with a bonded film on a rigid base by Biot's linear theory, of incompressible "
-            "constituents, without inertia. Liquid passes the surface freely, also into the body that is pressed in, "
-            "and not the base; below a body that is sealed the force falls later. Under contacts wider than 40 "
-            "thicknesses what flows within 1e-5 h^2/D flows at once. After a step the force is 3 % too high at 1e-4 "
-            "h^2/D, 0.3 % at 1e-3 h^2/D, and less later.",
+            "Frictionless contact with a film bonded to a rigid base, by Biot's linear theory with "
+            "incompressible constituents and without inertia. Liquid passes freely through the surface, also "
+            "into the indenter, but not into the base. Under a sealed indenter the force would decrease later. "
+            "For contacts wider than 40 thicknesses the flow within 1e-5 h^2/D is taken as instantaneous. After "
+            "a step the force is 3 % too high at 1e-4 h^2/D, 0.3 % at 1e-3 h^2/D, and less later.",
             BIOT,
         ),
     )

@@ -146,9 +146,9 @@ class RelaxingInProportion(RelaxingLayers):
         alike = Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "All parts that are not rigid relax by the same function of time, with Poisson's ratios that do not "
-            "change. Then g does not change either. While the contact is one disc, every elastic result stays true "
-            "with the displacements replaced by their hereditary integral.",
+            "All deformable parts have one common relaxation function and constant Poisson's ratios, so g does "
+            "not change with time. While the contact is one disc, elastic results apply with displacements "
+            "replaced by their hereditary integrals.",
             LEE,
         )
         return (*self.medium.notes, alike)

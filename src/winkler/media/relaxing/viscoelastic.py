@@ -111,8 +111,8 @@ class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
         Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "Linear viscoelastic half-spaces with Poisson's ratios that do not change in time, without friction "
-            "and inertia: while the contact is one disc, the springs give the three-dimensional solution itself.",
+            "Linear viscoelastic half-spaces with constant Poisson's ratios, without friction and inertia. While "
+            "the contact is one disc, the springs are equal to the three-dimensional solution.",
             LEE,
         ),
     )

@@ -243,8 +243,8 @@ class AdhesiveCycleSolution(AdhesiveState[Array], Looped):
             Note(
                 Assumption.EQUILIBRIUM,
                 Standing.EXACT,
-                f"The edge moves slowly, in {len(self.jumps)} jumps at once; in a jump all that the potential falls by "
-                "is lost, to vibrations and sound: it does not carry the edge beyond the next radius that holds it.",
+                f"The edge moves slowly except in {len(self.jumps)} jumps. In a jump the whole released energy is "
+                "dissipated (vibrations, sound): the edge stops at the next stable radius.",
                 "Griffith's balance at every limit of stability",
             ),
             *self._cycle_notes,

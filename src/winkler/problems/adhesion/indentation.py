@@ -257,8 +257,8 @@ class AdhesiveSolution(PerLoad[Q]):
             Note(
                 Assumption.EQUILIBRIUM,
                 Standing.EXACT,
-                f"Up to {int(np.max(count))} contact radii are stable under one load; the widest is meant, which is "
-                "left after pressing firmly. AdhesiveCycle follows a history.",
+                f"Up to {int(np.max(count))} contact radii are stable under one load. The largest is returned, "
+                "which remains after firm pressing. AdhesiveCycle follows a load history.",
                 "all limits of stability along the states of equilibrium",
             ),
         )

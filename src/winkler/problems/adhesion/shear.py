@@ -200,9 +200,9 @@ class AdhesiveShearSolution(PerLoad[Q]):
             Note(
                 Assumption.ADHESION,
                 Standing.APPROXIMATE,
-                "Normal and tangential parts of the energy that is released are added and averaged around the edge, "
-                "whatever the share of the modes. A real contact becomes oval and slips near its edge. It often "
-                "separates at a greater shear force than this.",
+                "The normal and tangential parts of the energy release rate are added with equal weight and "
+                "averaged around the edge. The effect of the mode mixture is neglected. A real contact becomes "
+                "oval and slips near its edge. It often separates at a greater shear force than computed.",
                 SAVKOOR,
             ),
         )

@@ -267,8 +267,8 @@ class JouleHeatingSolution(ConductingSolution["JouleHeatingSolution[float]", Q])
                 Assumption.CONDUCTION,
                 Standing.EXACT,
                 "Steady state. Temperature follows from voltage for a contact of any shape, if the metals obey "
-                "Wiedemann's and Franz' law with one Lorenz number. The ends are kept at the temperature of the "
-                "bodies, and nothing is lost around them; thermoelectric effects are left out.",
+                "the Wiedemann-Franz law with one Lorenz number. The ends have the temperature of the bodies, "
+                "and no heat leaves through other surfaces. Thermoelectric effects are neglected.",
                 KOHLRAUSCH,
             ),
         ]
@@ -283,9 +283,9 @@ class JouleHeatingSolution(ConductingSolution["JouleHeatingSolution[float]", Q])
                 Note(
                     Assumption.CONDUCTION,
                     Standing.EXACT if alike else Standing.APPROXIMATE,
-                    f"Between unlike platings the spot has no single temperature: {middle[worst]:.5g} K on its axis, "
-                    f"{edge[worst]:.5g} K at its edge, {mean[worst]:.5g} K at the mean voltage of the current"
-                    + ("." if alike else "; the current lines are those of the cold contact."),
+                    f"Between different platings the spot has no single temperature: {middle[worst]:.5g} K on its "
+                    f"axis, {edge[worst]:.5g} K at its edge, {mean[worst]:.5g} K at the mean voltage of the "
+                    "current" + ("." if alike else ("; the current distribution is that of the cold contact.")),
                     "own solution: with heat flowing as the current, L (T^2 - T_0^2) is the product of both voltages",
                 )
             )
@@ -294,8 +294,8 @@ class JouleHeatingSolution(ConductingSolution["JouleHeatingSolution[float]", Q])
                 Note(
                     Assumption.CONDUCTION,
                     Standing.ASYMPTOTIC,
-                    "The contact is taken as of one voltage and one temperature, as it is while it is narrow beside "
-                    "the rods.",
+                    "The contact is assumed to have one voltage and one temperature, which is accurate while it "
+                    "is narrow compared with the rods.",
                     KOHLRAUSCH,
                 )
             )
@@ -304,7 +304,8 @@ class JouleHeatingSolution(ConductingSolution["JouleHeatingSolution[float]", Q])
                 Note(
                     Assumption.CONDUCTION,
                     Standing.APPROXIMATE,
-                    "The heat of the film is taken as spread like the current, and the contact as of one temperature.",
+                    "The heat of the film is assumed to be distributed as the current, and the contact to "
+                    "have one temperature.",
                     KOHLRAUSCH,
                 )
             )
@@ -313,9 +314,9 @@ class JouleHeatingSolution(ConductingSolution["JouleHeatingSolution[float]", Q])
                 Note(
                     Assumption.TEMPERATURE,
                     Standing.OUTSIDE,
-                    f"The hottest place has {float(np.max(self.max_temperature)):.4g} K: metals soften there, and the "
-                    "elastic contact, its radius and its resistance change; compare the softening voltage, "
-                    "WiedemannFranz().voltage_at(temperature).",
+                    f"The maximum temperature is {float(np.max(self.max_temperature)):.4g} K. Metals soften "
+                    "there, and the elastic contact, its radius and its resistance change. Compare the softening "
+                    "voltage, WiedemannFranz().voltage_at(temperature).",
                     KOHLRAUSCH,
                 )
             )

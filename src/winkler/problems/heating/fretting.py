@@ -283,28 +283,30 @@ class FrettingHeatSolution:
             Note(
                 Assumption.CONDUCTION,
                 Standing.EXACT,
-                "Mean temperatures of half-spaces whose source of heat stays in its place: both bodies have the same "
-                "one everywhere, with shares in proportion to their conductivities.",
+                "Mean temperatures of half-spaces with a stationary heat source. A heat partition proportional "
+                "to the conductivities gives equal temperatures of both bodies everywhere.",
                 JAEGER,
             ),
             Note(
                 Assumption.STEADY,
                 Standing.ASYMPTOTIC,
-                f"The source moves by {stroke:.2g} of its radius to either side, which is left out.",
+                f"The heat source moves by {stroke:.2g} of its radius to each side; this motion is neglected.",
                 "the solution itself",
             ),
             Note(
                 Assumption.RESOLUTION,
                 Standing.APPROXIMATE if self.misfit > LOSS_TOLERANCE else Standing.ASYMPTOTIC,
-                f"Traction times slip, summed over the points of the path, misses the loss by {100 * self.misfit:.2g} "
-                "%; it was scaled to it. More points in every cycle bring both together.",
+                "Traction times slip, summed over the points of the path, differs from the dissipated energy by "
+                f"{100 * self.misfit:.2g} %. The flux was scaled to the dissipated energy. More points in every "
+                "cycle reduce the difference.",
                 "the solution itself",
             ),
             Note(
                 Assumption.CONDUCTION,
                 Standing.APPROXIMATE,
-                f"The swing about the mean, about {self.swing:.3g} K, is an estimate for a flux that varies as 1 + cos"
-                f": the mean, or that of a plane, whichever is less. Heat reaches {reach:.2g} m in a cycle.",
+                f"The oscillation about the mean, about {self.swing:.3g} K, is an estimate for a heat flux that "
+                "varies as 1 + cos. It is the smaller of two values: the mean temperature and the oscillation of "
+                f"a plane. The thermal penetration depth per cycle is {reach:.2g} m.",
                 "one-dimensional diffusion; H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, Oxford 1959",
             ),
             temperature_note(float(self.max_temperature) + float(self.swing)),

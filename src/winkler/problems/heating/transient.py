@@ -246,9 +246,9 @@ class TransientHeatingSolution:
         return Note(
             Assumption.CONDUCTION,
             Standing.APPROXIMATE if excess > 1.0 else Standing.ASYMPTOTIC,
-            "Both bodies are assumed at rest relative to the contact. If one of them moves at the whole speed (Pe = "
-            f"{0.5 * max(waves) * source.half_length(0.0):.3g}), its last temperatures are up to {excess:.2g} % too "
-            "high.",
+            "Both bodies are assumed at rest relative to the contact. If one of them moves at the full sliding "
+            f"speed (Pe = {0.5 * max(waves) * source.half_length(0.0):.3g}), its maximum temperature is "
+            f"overestimated by up to {excess:.2g} % at long times.",
             "own quadrature of the moving source",
         )
 
@@ -259,16 +259,16 @@ class TransientHeatingSolution:
             return Note(
                 Assumption.CONDUCTION,
                 Standing.EXACT,
-                "Both surfaces warm up in proportion, with one share at all times.",
+                "The surface temperatures of both bodies rise in proportion, with one constant heat partition.",
                 CARSLAW,
             )
         spread = float(np.ptp(self.first_share))
         return Note(
             Assumption.CONDUCTION,
             Standing.APPROXIMATE,
-            "The bodies' diffusivities differ: the share that makes their temperatures agree goes from that of the "
-            "effusivities to that of the conductivities. It is taken at every time as if it had always been so; it "
-            f"changes by {spread:.2g} over the times given.",
+            "The diffusivities of the bodies differ. The heat partition that gives equal temperatures therefore "
+            "changes with time, from the ratio of effusivities to that of conductivities. At every time its "
+            f"current value is applied to the whole history; it changes by {spread:.2g} over the times given.",
             CARSLAW,
         )
 

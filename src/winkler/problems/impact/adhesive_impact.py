@@ -226,7 +226,7 @@ class AdhesiveImpactSolution(AdhesiveImpactHistory[Array]):
         modulus = float(problem.bed.normal_stiffness(np.array([np.max(self.radius)]))[0])
         share = wave_loss(modulus=modulus, mass=problem.mass, size=problem.bed.size, velocity=problem.velocity)
         energy_at_start = np.full(self.time.size, 0.5 * problem.mass * problem.velocity**2)
-        verdict = "it stays, and swings on in contact without end in this theory" if self.captured else "it leaves"
+        verdict = "it stays, and oscillates in contact without end in this theory" if self.captured else "it leaves"
         return (
             *adhesive_notes(problem.bed, problem.law, self.depth, self.radius),
             energy_note(energy_at_start, self.kinetic_energy + self.energy, self.dissipation),
@@ -235,8 +235,8 @@ class AdhesiveImpactSolution(AdhesiveImpactHistory[Array]):
             Note(
                 Assumption.EQUILIBRIUM,
                 Standing.ASYMPTOTIC,
-                f"The edge runs on in {len(self.jumps)} jumps at once, while the body hardly moves; all that its "
-                f"potential falls by is lost: {verdict}.",
+                f"The contact edge advances in {len(self.jumps)} jumps, in which the body hardly moves. The "
+                f"released energy is dissipated completely: {verdict}.",
                 "Griffith's balance at every limit of stability, under fixed grips",
             ),
         )

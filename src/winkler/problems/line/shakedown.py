@@ -163,8 +163,9 @@ class LineShakedownSolution:
         note = Note(
             Assumption.ELASTIC,
             Standing.EXACT,
-            "Elastic, perfectly plastic solids (von Mises), each with its own strength; the limit is Melan's: residual "
-            "stresses along and across the direction of rolling exist at each depth with which the body stays elastic.",
+            "Elastic, perfectly plastic solids (von Mises), each with its own strength. The limit is Melan's: at "
+            "each depth residual stresses along and across the rolling direction exist with which the body stays "
+            "elastic.",
             MELAN,
         )
         if isinstance(bed, LayeredLineFoundation):

@@ -247,8 +247,8 @@ def _on_layers(bed: LayeredLineFoundation) -> Note:
     return Note(
         Assumption.RESPONSE,
         bed.layered_body.in_plane[0],
-        f"{medium.described} in plane strain, at a steady speed, without friction and inertia: each wave of pressure "
-        "is answered at the rate with which it passes; both bodies pass the contact with this speed.",
+        f"{medium.described} in plane strain, at a steady speed, without friction and inertia. Each wavelength of "
+        "the pressure acts with the frequency at which it passes. Both bodies pass the contact with this speed.",
         source,
     )
 
@@ -256,13 +256,14 @@ def _on_layers(bed: LayeredLineFoundation) -> Note:
 EXAMINED = Note(
     Assumption.SINGLE_CONTACT,
     Standing.APPROXIMATE,
-    "Nowhere inside is the strip pulled; whether layers bulge beside it and touch there, too, is not examined.",
+    "The pressure was checked: no tension inside the strip. It was not checked whether layers bulge and "
+    "touch beside the strip.",
     "a-posteriori check of the pressure, at sampled places",
 )
 HUNTER = Note(
     Assumption.RESPONSE,
     Standing.EXACT,
-    "Linear viscoelastic half-planes in plane strain with Poisson's ratios that do not change in time, at a steady "
-    "speed, without friction and inertia; both bodies pass the contact with this speed.",
+    "Linear viscoelastic half-planes in plane strain with constant Poisson's ratios, at a steady speed, without "
+    "friction and inertia. Both bodies pass the contact with this speed.",
     "S. C. Hunter, J. Appl. Mech. 28 (1961) 611-617, doi:10.1115/1.3641792",
 )

@@ -64,13 +64,13 @@ SLIDING_TOLERANCE = 1e-12
 CARTER = Note(
     Assumption.SLIP,
     Standing.EXACT,
-    "Coulomb friction, steady rolling in plane strain: the zones of stick and slip and the tractions are Carter's.",
+    "Coulomb friction, steady rolling in plane strain. Stick zone, slip zone and tractions are those of Carter.",
     "F. W. Carter, Proc. R. Soc. A 112 (1926) 151-157, doi:10.1098/rspa.1926.0100",
 )
 NOT_COUPLED = Note(
     Assumption.UNCOUPLED,
     Standing.EXACT,
-    "The bodies are elastically similar: pressure and traction do not act on each other, and `coupled` has no effect.",
+    "The bodies are elastically similar: pressure and traction are uncoupled, and `coupled` has no effect.",
     "Dundurs' constant beta is zero",
 )
 

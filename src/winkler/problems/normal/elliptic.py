@@ -55,10 +55,11 @@ __all__ = ["EDGE_ERROR", "IN_LAYERS", "EllipticIndentation", "EllipticSolution",
 ELLIPSE = Note(
     Assumption.RESPONSE,
     Standing.EXACT,
-    "Homogeneous, linear elastic half-spaces: under normal load Hertz's ellipse is exact for bodies of two curvatures.",
+    "Homogeneous, linear elastic half-spaces: under normal load Hertz's ellipse is exact for bodies with two "
+    "curvatures each.",
     "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 4.2, doi:10.1017/CBO9781139171731",
 )
-OF_THE_DISTANCE = "It is that of the distance between the bodies; give a CurvedPair for the slopes of each body."
+OF_THE_DISTANCE = "This is the slope of the gap between the bodies. Give a CurvedPair for the slopes of each body."
 IN_LAYERS = "this problem computes no stresses in layers; ContactStress and EllipticYieldOnset do"
 AXES = (0.0, 0.5 * math.pi)
 """Directions of the semi-axes [rad]."""
@@ -412,8 +413,8 @@ def _slopes_note(bodies: CurvedBodies | CurvedPair, axes: tuple[float, float]) -
     return Note(
         Assumption.SMALL_SLOPES,
         Standing.APPROXIMATE,
-        f"The steepest slope of the distance within the contact is {bodies.steepest_slope(*axes):.3g}, which is small. "
-        f"That of a ball in a groove would be up to {ball:.3g}, and such a contact narrower by about a quarter of its "
-        "square; give a CurvedPair for the slopes of each body.",
+        f"The steepest slope of the gap within the contact is {bodies.steepest_slope(*axes):.3g}, which is small. "
+        f"For a ball in a groove the slope of the bodies would be up to {ball:.3g}. Such a contact would be "
+        "narrower by about a quarter of the square of this slope. Give a CurvedPair for the slopes of each body.",
         CONFORMING,
     )

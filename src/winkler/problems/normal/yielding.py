@@ -65,10 +65,10 @@ class YieldOnset:
     def __post_init__(self) -> None:
         if not (isinstance(self.bed.medium, HalfSpace) or offers(self.bed.medium, LayerStack)):
             raise InvalidInput(
-                f"YieldOnset: the medium is a {type(self.bed.medium).__name__}; the onset of yield is sought in "
-                "isotropic bodies and layers only. A transversely isotropic body has no single strength, and the "
-                "strength of a graded one is a profile. Give a HalfSpace, or a CoatedHalfSpace whose layers have a "
-                "strength each."
+                f"YieldOnset: the medium is a {type(self.bed.medium).__name__}; the onset of yield is implemented "
+                "for isotropic bodies and layers only. A transversely isotropic body has no single strength, and "
+                "the strength of a graded body varies with depth. Give a HalfSpace, or a CoatedHalfSpace in "
+                "which each layer has a strength."
             )
         if not strong_parts(self.bed.medium):
             raise InvalidInput("YieldOnset: no body has a strength; give Elastic(young, poisson, strength=...).")

@@ -39,16 +39,16 @@ ZUNKER = "W. Zunker, K. Kamrin, J. Mech. Phys. Solids 183 (2024) 105492, doi:10.
 ENGINEERING = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
-    "An engineering law: the yield pressure is fitted to finite elements, the force jumps by d/13R and the elastic "
-    "part of the depth by 15 % where yield begins; the particle does not grow sideways (at d = R/10 that is worth "
-    "1.7 % of the force), and the interaction of several contacts is left out.",
+    "An engineering law with a yield pressure fitted to finite elements. At the onset of yield the force jumps "
+    "by d/13R, and the elastic part of the depth by 15 %. Lateral growth of the particle is neglected (1.7 % of "
+    "the force at d = R/10), and so is the interaction of several contacts.",
     ZUNKER,
 )
 ELASTIC = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
-    "The springs under half an ellipse give Hertz's force less the part 3d/40R: neither the paraboloid nor the exact "
-    "sphere.",
+    "The springs under half an ellipse yield Hertz's force less the fraction 3d/40R: neither the paraboloid nor "
+    "the exact sphere.",
     ZUNKER,
 )
 

@@ -74,8 +74,9 @@ OBLIQUE_STEPS, OBLIQUE_AT_ONCE = 300, 100
 SHEAR_LEFT_OUT = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "Shear leaves yielding alone: the normal motion is that of a straight impact. Under friction metals yield at a "
-    "lower pressure, which is left out. Tractions are taken along the motion, and spin about the normal is left out.",
+    "Tangential forces are assumed not to affect plastic deformation: the normal motion is that of a normal "
+    "impact. Friction lowers the pressure at which metals yield; this is neglected. Tractions are assumed "
+    "parallel to the motion, and spin about the normal is neglected.",
     "K. L. Johnson, Contact Mechanics, Cambridge 1985, section 7.1, doi:10.1017/CBO9781139171731",
 )
 TABOR = "D. Tabor, Proc. R. Soc. Lond. A 192 (1948) 247-274, doi:10.1098/rspa.1948.0008"
@@ -383,9 +384,9 @@ def _rate_note(rate: float) -> Note:
     return Note(
         Assumption.RESPONSE,
         Standing.APPROXIMATE,
-        f"The strength is one number, while the metal flows at up to {rate:.1g} 1/s, by the strain of 0.2 times the "
-        "slope at the edge of the dent: many metals are stronger at such rates, and bounce higher. Give the strength "
-        "at this rate.",
+        f"The metal is strained at up to {rate:.1g} 1/s, with a strain of 0.2 times the slope at the edge of the "
+        "dent; only one strength was given. Many metals are stronger at such rates and rebound faster. Give the "
+        "strength at this rate.",
         TABOR,
     )
 

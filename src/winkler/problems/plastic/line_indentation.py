@@ -356,18 +356,18 @@ class LinePlasticSolution:
 LAW = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
-    "Yielding by tables fitted to finite elements in plane strain, of small strains without hardening or friction. In "
-    "their range the half-width under a force errs by up to 4 %, the residual depth by 0.05 of a^2/2R, of two bodies "
-    "by 0.06. The force at release errs by 0.03 of the greatest. A part of the dissipation stays in the bodies as "
-    "residual stress.",
+    "Plastic deformation follows tables fitted to plane-strain finite elements (small strains, no hardening, no "
+    "friction). In their range the half-width at a given force has an error of up to 4 %. The residual depth has "
+    "an error of 0.05 a^2/2R, for two yielding bodies 0.06 a^2/2R. The force during unloading has an error of "
+    "0.03 of the maximum force. Part of the dissipated energy remains in the bodies as residual stress.",
     "finite elements of this package, of two kinds; " + JOHNSON,
     0.05,
 )
 FULLY_PLASTIC = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
-    "The load is beyond the finite elements, which end at 20 times the pressure of first yield; from there the mean "
-    "pressure goes on to that of Prandtl, 2.97 times the strength, and may err by 5 %.",
+    "The load exceeds the range of the finite elements, which ends at 20 times the pressure of first yield. "
+    "Beyond it the mean pressure is continued to Prandtl's limit, 2.97 times the strength. Its error may be 5 %.",
     "R. Hill, The Mathematical Theory of Plasticity, Oxford University Press 1950",
     0.05,
 )
@@ -378,8 +378,8 @@ def _refuse_unknown(bed: LineFoundation) -> None:
     owner = "LinePlasticIndentation"
     if not isinstance(bed.medium, HalfSpace):
         raise InvalidInput(
-            f"{owner}: the medium is a {type(bed.medium).__name__}; how lines yield is known of isotropic bodies, each "
-            "of one strength: give a HalfSpace."
+            f"{owner}: the medium is a {type(bed.medium).__name__}; yield in line contact is implemented for "
+            "isotropic bodies with one strength each. Give a HalfSpace."
         )
     if not bed.hertzian:
         raise InvalidInput(

@@ -43,8 +43,8 @@ LEAST_DEVIATION = 1e-6
 HARDENS = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
-    "A dent tells one strength: of a metal that hardens it is the flow stress at a strain of about 0.2 a/R (Tabor), "
-    "not where yielding begins.",
+    "A dent determines one strength. For a metal that hardens it is the flow stress at a strain of about 0.2 a/R "
+    "(Tabor), not the initial yield stress.",
     "D. Tabor, The Hardness of Metals, Oxford University Press 1951",
 )
 

@@ -149,13 +149,12 @@ class PoroelasticSolution:
         contact = held_contact(problem.profile, problem.depth, problem.shear)
         grows = not isinstance(problem.profile, FlatPunch)
         error = "0.03" if grows else "0.01"
-        growth = "the contact radius is taken as constant, though it grows a little, and " if grows else ""
+        growth = "The contact radius is assumed constant, though it grows a little. " if grows else ""
         share = Note(
             Assumption.RESPONSE,
             Standing.APPROXIMATE,
-            f"Biot's theory of an impermeable indenter on a body that drains freely beside it; {growth}the part "
-            f"of the force "
-            f"that relaxes is known to {error} of its whole.",
+            f"Biot's theory of an impermeable indenter on a freely draining body. {growth}The relaxing part of "
+            f"the force has an error of {error} of the whole relaxing part.",
             "dual integral equations; Lai and Hu",
         )
         return (*contact.validity, share)

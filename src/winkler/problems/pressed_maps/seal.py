@@ -276,21 +276,22 @@ def seal_notes(
         Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "Reynolds' equation of a laminar film of a Newtonian, incompressible fluid that sticks to both bodies and "
-            f"fills the gap; {sides}.",
+            "Reynolds' equation for a laminar film of a Newtonian, incompressible fluid that fills the gap "
+            f"without slip at both bodies; {sides}.",
             PATIR,
         ),
         Note(
             Assumption.EQUILIBRIUM,
             standing_of(squeeze, SMALL_SQUEEZE, LARGE_SQUEEZE),
-            "The bodies are in equilibrium without the fluid, which does not press them apart: its pressure is up to "
-            f"{squeeze:.2g} of the mean pressure of the contact.",
+            "The contact is computed without the fluid, whose pressure does not separate the bodies. The fluid "
+            f"pressure is up to {squeeze:.2g} of the mean contact pressure.",
             "comparison of both pressures",
         ),
         Note(
             Assumption.RESOLUTION,
             standing_of(area, SMALL_CHANGE, LARGE_CHANGE),
-            f"On all and every second point of the map areas in contact differ by up to {100.0 * area:.2g} per cent.",
+            "Computed on all and on every second point of the map, the contact areas differ by up to "
+            f"{100.0 * area:.2g} per cent.",
             DAPP,
             area,
         ),
@@ -301,8 +302,8 @@ def seal_notes(
             Note(
                 Assumption.RESOLUTION,
                 Standing.APPROXIMATE,
-                f"Under {int(np.count_nonzero(~open_loads))} of {leak.size} loads no way of pixels leads through; ways "
-                "narrower than a pixel are not seen.",
+                f"Under {int(np.count_nonzero(~open_loads))} of {leak.size} loads no path of pixels passes "
+                "through the seal; paths narrower than a pixel are not resolved.",
                 DAPP,
             )
         )
@@ -313,8 +314,13 @@ def seal_notes(
             Note(
                 Assumption.RESOLUTION,
                 Standing.OUTSIDE if lost else standing_of(worst, SMALL_CHANGE, LARGE_CHANGE),
-                f"On all and every second point of the map leak rates differ by up to {100.0 * worst:.2g} per cent"
-                + ("; the narrowest place is within what the solver left, give a smaller tolerance." if lost else "."),
+                "Computed on all and on every second point of the map, the leak rates differ by up to "
+                f"{100.0 * worst:.2g} per cent"
+                + (
+                    "; the narrowest gap is below the tolerance of the solver: give a smaller tolerance."
+                    if lost
+                    else "."
+                ),
                 DAPP,
                 worst,
             )

@@ -215,11 +215,15 @@ class ThermalJointSolution(PerLoad[Q]):
         blurred = float(np.max(np.asarray(self.contact.area_error) / np.asarray(self.area)))
         through = float(np.max(np.asarray(self.gap_conductance) / np.asarray(self.conductance)))
         filled = (
-            f"What fills the gap conducts across it, {stated.gap_conductivity:.3g} W/(m K) over its width"
-            + (f" and {stated.jump_distance:.3g} m for the walls" if stated.jump_distance > 0.0 else "")
-            + f", and carries up to {through:.0%}; the surface between spots radiates nothing."
+            f"The medium in the gap conducts heat with {stated.gap_conductivity:.3g} W/(m K) over the width of the gap"
+            + (
+                f" plus a temperature jump distance of {stated.jump_distance:.3g} m"
+                if stated.jump_distance > 0.0
+                else ""
+            )
+            + f". It carries up to {through:.0%} of the heat. Radiation across the gap is neglected."
             if stated.gap_conductivity > 0.0
-            else "Nothing passes through the gap, and no radiation across it."
+            else "No heat passes through the gap; radiation is neglected."
         )
         return (
             *self.contact.validity,
@@ -227,14 +231,15 @@ class ThermalJointSolution(PerLoad[Q]):
             Note(
                 Assumption.CONDUCTION,
                 Standing.APPROXIMATE if blurred > 0.05 else Standing.ASYMPTOTIC,
-                f"{filled} Spots count whole pixels: a single round spot is off by about {blurred:.1g} of its width.",
+                f"{filled} The contact area consists of whole pixels: the conductance of a single round spot "
+                f"has a relative error of about {blurred:.1g}.",
                 YOVANOVICH,
             ),
             Note(
                 Assumption.STEADY,
                 Standing.ASYMPTOTIC,
-                "Steady heat between thick bodies, whose properties do not change with the temperature; nothing is "
-                "lost aside.",
+                "Steady heat conduction between thick bodies with constant properties. No heat leaves through "
+                "other surfaces.",
                 "H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, 2nd edition, Oxford 1959",
             ),
         )

@@ -195,8 +195,9 @@ class TrueAreaSolution(PerLoad[Q]):
         change = Note(
             Assumption.RESOLUTION,
             standing_of(max(area, peak), SMALL_CHANGE, LARGE_CHANGE),
-            f"On all and every second point of the map areas differ by up to {100.0 * area:.2g} per cent, greatest "
-            f"pressures by {100.0 * peak:.2g} per cent. They may be about as far from those of a finer map.",
+            f"Computed on all and on every second point of the map, areas differ by up to {100.0 * area:.2g} per "
+            f"cent, maximum pressures by {100.0 * peak:.2g} per cent. The difference to a finer map may be about "
+            "as large.",
             YASTREBOV,
             max(area, peak),
         )

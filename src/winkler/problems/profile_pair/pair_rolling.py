@@ -324,7 +324,8 @@ KALKER = "J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Klu
 PIXELS_ON_HALF_SPACES = Note(
     Assumption.RESPONSE,
     Standing.EXACT,
-    "Contact of homogeneous, linear elastic half-spaces, every pixel pressing and dragging all others of its grid.",
+    "Contact of homogeneous, linear elastic half-spaces; pressure and traction of every pixel displace all "
+    "other pixels of its grid.",
     KALKER,
 )
 FINE, COARSE = 0.01, 0.1
@@ -361,14 +362,16 @@ def pair_rolling_notes(
         Note(
             Assumption.SLIP,
             standing_left(misfit, Standing.ASYMPTOTIC),
-            f"Exact theory of rolling, {named(friction)} in each pixel, to {misfit:.1g} of what friction would lose "
-            "if all slipped. The rigid slip follows the radii of both bodies across the patch.",
+            f"Exact theory of rolling, {named(friction)} in each pixel. The residual is {misfit:.1g} of the "
+            "energy dissipated at full sliding. The rigid slip follows the rolling radii of both bodies across "
+            "the patch.",
             KALKER,
         ),
         Note(
             Assumption.STEADY,
             Standing.ASYMPTOTIC,
-            "Steady rolling, after some lengths of the contact in which creepages and loads do not change.",
+            "Steady rolling is assumed: creepages and loads have been constant over a distance of several "
+            "contact lengths.",
             KALKER,
         ),
         small_creep_note(greatest),
@@ -376,8 +379,8 @@ def pair_rolling_notes(
         Note(
             Assumption.RESOLUTION,
             standing_of(grid_error, FINE, COARSE),
-            f"Twice the change from other grids: forces are within {100.0 * grid_error:.2g} per cent of the friction; "
-            "the profiles are splines through their points.",
+            f"Forces have an error of up to {100.0 * grid_error:.2g} per cent of the friction, twice the change "
+            "from other grids. The profiles are splines through their points.",
             "comparison of three grids",
             grid_error,
         ),

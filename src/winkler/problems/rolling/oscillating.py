@@ -252,8 +252,8 @@ class OscillatingRollingSolution:
 LIMIT = Note(
     Assumption.CALIBRATION,
     Standing.APPROXIMATE,
-    "The limit between shakedown and ratcheting does not depend on the stiffness of the springs. The springs do not "
-    "distinguish rocking along the force from rocking across it, whose limits differ little. Shifts do depend on the "
-    "calibration, which was made for steady rolling.",
+    "The limit between shakedown and ratcheting does not depend on the spring stiffness. The springs do not "
+    "distinguish rocking along the force from rocking across it; the limits of these two cases differ little. "
+    "Displacements depend on the calibration, which was made for steady rolling.",
     WETTER,
 )

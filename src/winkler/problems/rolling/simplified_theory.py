@@ -299,7 +299,8 @@ JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 4.2, doi:10.10
 PRESCRIBED_ELLIPSE = Note(
     Assumption.SHAPE,
     Standing.ASYMPTOTIC,
-    "The ellipse was given: that these bodies touch on it under this load, and are large beside it, is not checked.",
+    "The contact ellipse was given. It was not checked that the bodies touch on this ellipse under this "
+    "load, or are large compared with it.",
     JOHNSON,
 )
 LARGEST_CHANGE = 1.0
@@ -308,13 +309,13 @@ POLACH = "O. Polach, Wear 258 (2005) 992-1000, doi:10.1016/j.wear.2004.03.046"
 FIRST_DIGITS = Note(
     Assumption.CALIBRATION,
     Standing.APPROXIMATE,
-    "The springs have no separate coefficient for the moment under spin. Its initial slope is up to 27 per cent too "
-    "low on ellipses of 1 : 5 to 2 : 1.",
+    "The springs have no separate coefficient for the moment due to spin. For a/b from 1 : 5 to 2 : 1 its "
+    "initial slope is up to 27 per cent too low.",
     "compared with CONTACT's coefficients of ellipses",
 )
 THEORY = (
-    "Simplified theory: one spring for every point, its flexibility chosen by Kalker's coefficients, under a "
-    "parabolic bound. "
+    "Simplified theory: independent springs with flexibilities from Kalker's coefficients, and a parabolic "
+    "traction bound. "
 )
 
 
@@ -333,15 +334,16 @@ def distance_notes(creepage: Creepage, ratio: float, poisson: float) -> tuple[No
     spun = bool(np.any(np.asarray(creepage.spin) != 0.0))
     both = bool(np.any(np.multiply(creepage.longitudinal, creepage.lateral) != 0.0))
     if known is None:
-        statement = f"{THEORY}On an ellipse of a/b = {ratio:.3g} creep forces were not compared with the exact theory."
+        statement = (
+            f"{THEORY}For an ellipse with a/b = {ratio:.3g} the creep forces were not compared with the exact theory."
+        )
         return (Note(Assumption.CALIBRATION, Standing.APPROXIMATE, statement, MEASURED_BY),)
     under = "With spin" if spun else "Under both creepages" if both else "Under longitudinal or lateral creepage alone"
     distance = known.spun if spun else known.both if both else known.one
     turned = known.spun_moment if spun else known.moment
     statement = (
-        f"{THEORY}{under} the force stays within {distance:.2g} of mu F_N of the exact theory. The moment stays "
-        f"within {turned:.2g} of mu F_N sqrt(a b). These are the greatest distances near this ellipse and this "
-        "Poisson's ratio."
+        f"{THEORY}Reference: Kalker's exact theory near this ellipse and this Poisson's ratio. {under} the force "
+        f"differs by at most {distance:.2g} mu F_N, the moment by at most {turned:.2g} mu F_N sqrt(a b)."
     )
     first = Note(Assumption.CALIBRATION, Standing.APPROXIMATE, statement, MEASURED_BY)
     return (first, FIRST_DIGITS) if spun else (first,)
@@ -358,8 +360,8 @@ def moment_note(coefficients: CreepCoefficients, longitudinal: float, lateral: f
     return Note(
         Assumption.CALIBRATION,
         Standing.APPROXIMATE,
-        f"The moment under lateral creepage begins at {100.0 * part:.2g} per cent of that of the exact theory on "
-        "this ellipse.",
+        f"The initial slope of the moment under lateral creepage is {100.0 * part:.2g} per cent of that of the "
+        "exact theory on this ellipse.",
         "Kalker's coefficient c23, by reciprocity",
     )
 
@@ -375,8 +377,8 @@ def falling_note(change: float) -> Note:
     return Note(
         Assumption.SLIP,
         Standing.APPROXIMATE if change <= LARGEST_CHANGE else Standing.OUTSIDE,
-        "Friction falls with the velocity at which rigid bodies would slip; that at which the springs unload, left "
-        f"out, changes it by about {100.0 * change:.2g} per cent at most.",
+        "Friction depends on the slip velocity of rigid bodies. The additional slip velocity of unloading "
+        f"springs is neglected; it changes friction by at most about {100.0 * change:.2g} per cent.",
         POLACH,
         change,
     )
@@ -389,9 +391,9 @@ def size_note(footprint: ContactEllipse | CurvedBodies | CurvedPair, longitudina
     radii = footprint.longitudinal_curvature_radius, footprint.lateral_curvature_radius
     ratio = max(longitudinal / radii[0], lateral / radii[1])
     if ratio <= 0.1:
-        standing, verdict = Standing.ASYMPTOTIC, "the bodies may be taken for half-spaces"
+        standing, verdict = Standing.ASYMPTOTIC, "the bodies can be treated as half-spaces"
     elif ratio <= 0.5:
-        standing, verdict = Standing.APPROXIMATE, "the bodies are hardly half-spaces any more"
+        standing, verdict = Standing.APPROXIMATE, "the bodies deviate notably from half-spaces"
     else:
         standing, verdict = Standing.OUTSIDE, "the bodies are no half-spaces"
     statement = f"The semi-axes are up to {ratio:.3g} of the relative radii of curvature: {verdict}."

@@ -248,7 +248,7 @@ class RollingStartSolution:
 TRANSIENT = Note(
     Assumption.CALIBRATION,
     Standing.APPROXIMATE,
-    "The transition to the steady state takes one contact width: that is a property of the springs. They were "
+    "The transition to the steady state takes one contact width; this is a property of the springs. They were "
     "calibrated for the steady force, not for the transition.",
     "the springs' rule; not compared with a theory in three dimensions",
 )

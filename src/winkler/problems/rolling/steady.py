@@ -195,15 +195,15 @@ class RollingSolution(CreepageSolution[Q]):
 TOGETHER = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "Longitudinal and lateral creepage together: the force keeps the direction in which sticking springs are "
-    "stretched; where all slides the exact one turns along the creepage itself.",
+    "Longitudinal and lateral creepage act together. The computed force keeps the direction in which the "
+    "sticking springs are stretched. At full sliding the exact force turns to the direction of the creepage.",
     VERMEULEN,
 )
 STRIPS = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "The line gives forces, not where on the surface they act: the zone of stick of a round contact is no strip "
-    "between parallels; use SurfaceRolling for a map.",
+    "The one-dimensional foundation yields forces, not the distribution of traction over the surface. The true "
+    "stick zone is not a strip with parallel edges. Use SurfaceRolling for a map of the tractions.",
     VERMEULEN,
 )
 

@@ -199,17 +199,18 @@ class RoughIndentationSolution(RoughSolution[Q]):
             Note(
                 Assumption.ROUGHNESS,
                 Standing.APPROXIMATE,
-                "A rough body on a line of springs is exact where the body bears, and scales as the surface where "
-                "single peaks bear. There medians of stiffness and depth are within 25 per cent of boundary elements.",
+                "A rough body on a one-dimensional foundation is exact where its smooth shape carries the load. "
+                "Where single asperities carry it, only the scaling laws are correct. There median stiffness and "
+                "depth differ by up to 25 per cent from boundary elements.",
                 f"{POPOV}; own boundary elements",
             ),
             *self._line_notes,
             Note(
                 Assumption.ROUGHNESS,
                 Standing.APPROXIMATE,
-                "The springs have no true area of contact. The area given here is Persson's, under the pressures of "
-                "the smooth body. It is up to a third too small, and less where roughness spreads the pressures of "
-                "small loads. A SurfaceContact computes it.",
+                "The springs yield no true contact area. The area stated here is Persson's for the pressure of "
+                "the smooth body. It is up to a third too small; the error is smaller if roughness spreads the "
+                "pressure of small loads. Use SurfaceContact to compute the area.",
                 POPOV,
             ),
         )

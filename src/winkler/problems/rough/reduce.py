@@ -230,10 +230,10 @@ class ReductionSolution:
             Note(
                 Assumption.RESOLUTION,
                 standing_left(self.misfit, Standing.ASYMPTOTIC),
-                f"Springs under a height map, from {self.depth.size} contacts by boundary elements. Between them "
-                f"forces err by at most {self.misfit:.1g} of the greatest one, by bounds on a convex force curve. "
-                "Stiffness, and with it conductance, is less certain: it was within 4 per cent on rough maps at a "
-                "tolerance of 1e-3, worse at light loads.",
+                f"The springs represent a height map; they were fitted to {self.depth.size} contact solutions by "
+                f"boundary elements. Between these solutions the force error is at most {self.misfit:.1g} of the "
+                "maximum force (bounds of a convex curve). Stiffness and conductance are less accurate: within 4 "
+                "per cent on rough maps at a tolerance of 1e-3. At light loads their error is larger.",
                 BARBER,
             ),
             *self.bed.notes[1:],

@@ -254,21 +254,22 @@ class SurfaceConductionSolution(PerLoad[Q]):
             note for note in approximate if note.statement != NO_AREA.statement
         ]  # no area of the line is given here
         spots = (
-            "All pixels in contact bear the same film"
+            "All pixels in contact have the same film"
             if stated.conductors.film.area_resistance
-            else "All spots are clean metal"
+            else "All pixels in contact are clean metal"
         )
         between = (
-            "Rigorous bounds for elastic contact without friction or adhesion: the map lies between a flat and the "
-            "same flat raised by its height; of a curved map they are wide."
+            "Rigorous bounds for elastic contact without friction or adhesion. The map lies between a flat and "
+            "the same flat raised by the height of the map. For a curved map the bounds are wide."
             if stated.in_proportion
-            else "Through platings and between elastic layers conductance is not in proportion to stiffness. The "
-            "current is solved pixel by pixel; springs give no resistance. Full contact is the only bound. A round "
-            "spot of n pixels across resists by about 0.5 / n more than the disc of its area."
+            else "With platings or elastic layers conductance is not proportional to stiffness. The current is "
+            "therefore computed on the pixels in contact; the springs yield no resistance. The only bound "
+            "is that of full contact. For a round spot n pixels wide the resistance is too high by a "
+            "fraction of about 0.5 / n of that of the equal disc."
         )
         bounds = Note(
             Assumption.CONDUCTION, Standing.EXACT if stated.in_proportion else Standing.APPROXIMATE,
-            f"{between} {spots}, wider than the free path of electrons.",
+            f"{between} {spots}. All spots are assumed wider than the mean free path of electrons.",
             BARBER,
         )  # fmt: skip
         rough = stated.contact.topography
@@ -276,9 +277,9 @@ class SurfaceConductionSolution(PerLoad[Q]):
         curved = Note(
             Assumption.ROUGHNESS,
             Standing.OUTSIDE,
-            f"A plane or paraboloid makes up {shape:.0%} of the mean square height. Lines of springs hold the "
-            "roughness on it alone, their stiffness and resistance are not those of this map. Take a tilt off with "
-            "topography.detrended(1); a rough ball is a RoughIndentation.",
+            f"A plane or paraboloid makes up {shape:.0%} of the mean square height. The one-dimensional "
+            "foundation represents only the remaining roughness; its stiffness and resistance are not those of "
+            "this map. Remove a tilt with topography.detrended(1), or use RoughIndentation for a rough ball.",
             "comparison with boundary elements",
         )
         return (

@@ -90,7 +90,7 @@ def hardness_notes(
     greatest = float(np.ravel(np.asarray(force))[last])
     mean = greatest / float(np.ravel(np.asarray(area))[last]) / hardness
     if share >= NEARLY_ALL:
-        regime = "the plastic limit A = F / H, in which the moduli hardly count"
+        regime = "the plastic limit A = F / H, in which the moduli have little influence"
     elif share <= HARDLY_ANY:
         regime = "elastic for the most part"
     else:
@@ -98,8 +98,8 @@ def hardness_notes(
     limit = Note(
         Assumption.ELASTIC,
         Standing.APPROXIMATE,
-        f"Under the greatest force {share:.0%} of the pixels in contact bear the hardness, and the mean pressure is "
-        f"{mean:.0%} of it: {regime}.",
+        f"Under the maximum force {share:.0%} of the pixels in contact carry the hardness, and the mean pressure "
+        f"is {mean:.0%} of it: {regime}.",
         TABOR,
     )
     if not rough.periodic and rough.detrended(2).rms_height < FLAT_SHARE * rough.rms_height:
@@ -110,9 +110,8 @@ def hardness_notes(
         Note(
             Assumption.ELASTIC,
             standing_of(heavy, LIGHT_LOAD, HEAVY_LOAD),
-            f"The force is {heavy:.2g} of hardness times the area of the map. The metal that flows has to go "
-            f"somewhere, which makes measured areas smaller than cut pressures do: by about {heavy:.2g} for plastic "
-            "contacts.",
+            f"The force is {heavy:.2g} of hardness times the area of the map. Displaced metal reduces measured "
+            f"areas below those of pressures limited to the hardness: by about {heavy:.2g} for plastic contacts.",
             PULLEN,
         ),
     )

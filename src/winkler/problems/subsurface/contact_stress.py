@@ -110,9 +110,9 @@ class ContactStress:
                 )
         elif not (isinstance(medium, HalfSpace) or offers(medium, LayerStack)):
             raise InvalidInput(
-                f"ContactStress: the medium is a {type(medium).__name__}; the greatest stresses are sought in "
-                "isotropic bodies, layers and gradings only: give a HalfSpace, a CoatedHalfSpace, a SlidingFilm, a "
-                "StackedHalfSpace or a DepthGradedHalfSpace."
+                f"ContactStress: the medium is a {type(medium).__name__}; maximum stresses are implemented for "
+                "isotropic bodies, layers and graded bodies only. Give a HalfSpace, a CoatedHalfSpace, a "
+                "SlidingFilm, a StackedHalfSpace or a DepthGradedHalfSpace."
             )
         if offers(medium, LayerStack):
             bodies = (*(layer.solid for layer in medium.layers), medium.on, medium.second)
@@ -247,8 +247,8 @@ class ContactStressSolution:
         summed = Note(
             Assumption.RESOLUTION,
             standing_of(self.stress_error, FINE, COARSE),
-            f"Stresses below an ellipse on layers are sums over pixels and waves, with an error of up to "
-            f"{self.stress_error:.1g}, the greatest of all kinds and parts.",
+            "Stresses below an ellipse on layers are sums over pixels and waves. The maximum error over all "
+            f"kinds and parts is {self.stress_error:.1g}.",
             "comparison of two grids",
         )
         return (*self.contact.validity, summed)

@@ -131,14 +131,14 @@ class MapStressSolution(BelowSurface):
             Note(
                 Assumption.RESPONSE,
                 Standing.EXACT,
-                "Closed form of a homogeneous, linear elastic half-space under loads that are constant in each pixel.",
+                "Closed form for a homogeneous, linear elastic half-space under loads that are constant in each pixel.",
                 LOVE,
             ),
             Note(
                 Assumption.RESOLUTION,
                 standing_of(self.grid_error, FINE, COARSE),
-                f"The greatest stress is {place}; from pixels of twice the size it changes by {percent:.2g} per cent. "
-                "Nearer to the surface than half a pixel the steps between pixels show.",
+                f"The maximum stress is {place}. With pixels of twice the size it changes by {percent:.2g} per "
+                "cent. Above a depth of half a pixel the steps between pixels are visible.",
                 "comparison of two grids",
                 self.grid_error,
             ),

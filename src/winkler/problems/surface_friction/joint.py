@@ -309,17 +309,18 @@ class JointStiffnessSolution(PerLoad[Q]):
             Note(
                 Assumption.SLIP,
                 Standing.ASYMPTOTIC,
-                "Stiffnesses are those of the contact moved as a whole without slip or turning, in which pressures and "
-                "tractions do not act on each other: of the first, small motion. Along the surface they differ by up "
-                f"to {_per_cent(off)} % from those of the disc that is as stiff across.",
+                "The stiffnesses apply to small motions of the whole contact without slip or rotation. Coupling "
+                "of pressure and traction is neglected. The tangential stiffnesses differ by up to "
+                f"{_per_cent(off)} % from those of the disc with the same normal stiffness.",
                 BARBER,
             ),
             Note(
                 Assumption.SLIP,
                 Standing.APPROXIMATE,
-                "Springs take what slips to leave the contact of a lesser force. Here their shifts are up to "
-                f"{_per_cent(self.shift_error)} % of the greatest one off boundary elements with friction, their "
-                f"losses up to {_per_cent(self.loss_error)} % of the greatest one.",
+                "The springs assume that slip reduces the contact to that of a smaller force (Ciavarella, "
+                "Jaeger). Reference: boundary elements with friction. Displacements differ by at most "
+                f"{_per_cent(self.shift_error)} % of their maximum, the dissipated energy by "
+                f"{_per_cent(self.loss_error)} % of its maximum.",
                 JAEGER,
             ),
             *self.loop.validity,

@@ -399,8 +399,9 @@ def wear_notes(contact: SurfaceContact, tolerance: float, last: SurfaceWearState
         Note(
             Assumption.RESOLUTION,
             Standing.APPROXIMATE,
-            f"Each step errs by at most {tolerance:.0e} of the greatest worn depth. Greatest pressures err by more: a "
-            "pixel that has just come into contact bears much for a short way; a smaller tolerance shows by how much.",
+            f"The error of each step is at most {tolerance:.0e} of the maximum worn depth. Maximum pressures are "
+            "less accurate: a pixel that has just come into contact briefly carries a high pressure. Compare "
+            "with a smaller tolerance.",
             ALEXANDER,
         ),
     ]
@@ -410,8 +411,8 @@ def wear_notes(contact: SurfaceContact, tolerance: float, last: SurfaceWearState
             Note(
                 Assumption.WEAR,
                 standing_of(share, THIN_WEAR, DEEP_WEAR),
-                f"The layers keep their thickness for the elastic response; {share:.2g} of the uppermost one was worn "
-                "off where most was.",
+                "The elastic response uses the initial thickness of the layers. The maximum wear of the "
+                f"uppermost layer is {share:.2g} of its thickness.",
                 OWN_CHECK,
             )
         )
@@ -420,8 +421,8 @@ def wear_notes(contact: SurfaceContact, tolerance: float, last: SurfaceWearState
             Note(
                 Assumption.WEAR,
                 Standing.APPROXIMATE,
-                "The grading counts from the surface before wear for the elastic response: what was worn off must be "
-                f"shallow against it; the greatest worn depth is {last.worn_depth:.3g} m.",
+                "The elastic response uses the grading measured from the unworn surface. This requires wear that "
+                f"is shallow compared with the grading; the maximum worn depth is {last.worn_depth:.3g} m.",
                 OWN_CHECK,
             )
         )
@@ -430,8 +431,8 @@ def wear_notes(contact: SurfaceContact, tolerance: float, last: SurfaceWearState
             Note(
                 Assumption.ELASTIC,
                 Standing.APPROXIMATE,
-                "Where pressures are cut at the hardness only wear changes the heights for good; what flows is not "
-                "kept.",
+                "Pressures are limited to the hardness. Only wear changes the heights permanently; plastic "
+                "deformation is not kept.",
                 "assumption of the cut of pressures",
             )
         )

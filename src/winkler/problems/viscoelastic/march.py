@@ -65,9 +65,9 @@ def relaxation_of(owner: str, bed: Bed) -> RelaxationSeries:
     medium = bed.medium
     if offers(medium, RelaxingByWaves):
         raise InvalidInput(
-            f"{owner}: {medium.reason} so that a wide contact relaxes otherwise than a small one and no single "
-            "function of time stands for all springs, as it must here; ViscoelasticIndentation, CreepTest, "
-            f"RelaxationTest and HarmonicIndentation know such a medium: use one of these, or {medium.alike}."
+            f"{owner}: {medium.reason} Wide and narrow contacts therefore relax differently. This problem needs "
+            "one relaxation function for all springs. Use ViscoelasticIndentation, CreepTest, RelaxationTest or "
+            f"HarmonicIndentation, or give {medium.alike}."
         )
     if not offers(medium, RelaxingMedium) or not isinstance(bed, OnMedium):
         raise InvalidInput(

@@ -147,8 +147,8 @@ class HarmonicSolution(PerLoad[Q]):
         small = Note(
             Assumption.RESPONSE,
             Standing.ASYMPTOTIC,
-            "The amplitude is small against the depth, so that the contact stays as wide as it is and no spring lets "
-            "go.",
+            "The amplitude is assumed small compared with the depth. The contact radius then stays constant, and "
+            "no spring separates.",
             "linearisation about the relaxed contact",
         )
         times = times_notes(bed.medium, float(1.0 / np.max(frequency)), float(1.0 / np.min(frequency)))

@@ -327,14 +327,14 @@ def swing_notes(bed: Bed, law: Coulomb, period: float, contact: ViscoelasticStat
     repeats = Note(
         Assumption.STEADY,
         Standing.ASYMPTOTIC,
-        "Springs were followed from cycle to cycle until loss and forces repeated; `cycle_change` states by what part "
-        "the last two cycles differ.",
+        "The springs were followed from cycle to cycle until dissipated energy and forces repeated. "
+        "`cycle_change` is the relative difference of the last two cycles.",
         "hereditary springs followed from cycle to cycle",
     )
     slow = Note(
         Assumption.INERTIA,
         Standing.ASYMPTOTIC,
-        "The motion is slow: inertia and waves in the bodies are left out.",
+        "The motion is slow: inertia and waves in the bodies are neglected.",
         "quasi-static contact",
     )
     time, depth, radius = (

@@ -315,19 +315,22 @@ class EllipticWearSolution:
         whose = "Hertz' pressure" if isinstance(medium, HomogeneousMedium) else "The pressure of the unworn bodies"
         if offers(medium, LayerStack):
             thinned = self.worn_depth / medium.layers[0].thickness
-            lost, share = f", and the first one {thinned:.2g} of its uppermost layer", max(share, thinned)
+            lost, share = f", and that of the first body {thinned:.2g} of its uppermost layer", max(share, thinned)
         standing = standing_of(share, SMALL_WEAR, LARGE_WEAR)
         why = (
-            f"{whose} is used throughout. Both bodies have lost {self.worn_share:.2g} of the approach in the "
-            f"middle{lost}"
+            f"{whose} is used for all wear states. The total worn depth of both bodies at the centre is "
+            f"{self.worn_share:.2g} of the approach{lost}"
         )
         effect = (
-            "after which it does not hold: take a shorter distance, or SlidingWear for bodies that are round."
+            "This pressure is no longer valid: give a shorter distance, or use SlidingWear for round bodies."
             if standing is Standing.OUTSIDE
-            else "which lowers the greatest one by about as much, under slender ellipses by two or three times that."
+            else (
+                "The true maximum pressure is lower by about the same fraction, for slender ellipses by two to "
+                "three times this fraction."
+            )
         )
-        held = " Layers are taken to be held against friction." if lost else ""
-        return Note(Assumption.WEAR, standing, f"{why}, {effect}{held}", ARCHARD)
+        held = " The layers are assumed to stay in place under the friction force." if lost else ""
+        return Note(Assumption.WEAR, standing, f"{why}. {effect}{held}", ARCHARD)
 
 
 def _slid(note: Note) -> Note:

@@ -116,8 +116,9 @@ class MeasuredSection(Section):
         """What joins the points."""
         joined = "a cubic spline" if self.curved else "straight lines"
         text = (
-            f"The section is {self.places.size} points joined by {joined}: greatest pressures belong to their spacing "
-            "and to the scatter of the heights, and are less certain than forces, gaps and contact lengths."
+            f"The section consists of {self.places.size} points joined by {joined}. Maximum pressures depend on "
+            "the point spacing and the scatter of the heights. They are less accurate than forces, gaps and "
+            "contact lengths."
         )
         return (Note(Assumption.SHAPE, Standing.APPROXIMATE, text, "as measured"),)
 
