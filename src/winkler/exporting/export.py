@@ -54,7 +54,7 @@ TARGETS: dict[str, tuple[str, Callable[[StepLaw, str], Mapping[str, str | bytes]
 
 @value
 class ExportedLaw:
-    """A contact law in another language.
+    """A contact law translated into another programming language.
 
     Parameters
     ----------

@@ -39,7 +39,7 @@ PAIRS_PER_CHUNK = 1 << 20
 
 @value
 class Staircase:
-    """Flat punches of growing radius that together press like one body.
+    """A stack of flat punches of increasing radius with the pressure of the body.
 
     Parameters
     ----------

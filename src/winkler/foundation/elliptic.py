@@ -42,9 +42,9 @@ HOMOGENEOUS_MEDIUM = Condition(
 
 @value
 class EllipticFoundation(UnderProfile):
-    """The springs that stand for bodies of two curvatures, in problems that need force, depth and stiffness.
+    """A spring foundation with the force, depth and stiffness of an elliptic contact.
 
-    Problems that need a disc (adhesion, wear, heating, rolling, torsion, the fields) refuse it.
+    Problems that need a round contact (adhesion, wear, heating, rolling, torsion, subsurface fields) do not support it.
 
     Parameters
     ----------

@@ -105,7 +105,7 @@ class MeasuredMedium:
 
 @value
 class MeasuredBed:
-    """Springs whose stiffness and gap were measured or computed.
+    """A spring foundation with measured or computed stiffness and gap.
 
     Parameters
     ----------

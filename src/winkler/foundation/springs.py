@@ -28,7 +28,7 @@ __all__ = ["Springs"]
 
 @value
 class Springs:
-    """Independent springs in a row; each stands for both sides of the axis.
+    """Independent springs along a line; each represents both sides of the axis.
 
     Parameters
     ----------

@@ -18,7 +18,7 @@ __all__ = ["ExponentialAttraction", "LennardJones"]
 
 @value
 class ExponentialAttraction:
-    r"""Attraction that fades exponentially with the gap, behind a hard wall: w/r exp(-g/r).
+    r"""Attraction that decays exponentially with the gap, with impenetrable surfaces: w/r exp(-g/r).
 
     Parameters
     ----------

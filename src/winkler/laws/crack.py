@@ -34,7 +34,7 @@ EXPONENT_RANGE = Number(f"it must be a number from {SMALLEST_EXPONENT:g} to 1", 
 
 @value
 class RateDependentWork:
-    """A work of opening that grows with a power of the speed of the crack (Gent and Schultz).
+    """A work of opening that grows with a power of the crack speed (Gent and Schultz).
 
     Parameters
     ----------
@@ -85,9 +85,9 @@ class RateDependentWork:
 
 @value
 class SaturatingWork:
-    """A work of opening that grows with the speed of the crack and comes to an end.
+    """A work of opening that grows with the crack speed up to a limit.
 
-    The form between both ends is a choice; the ends are those of a crack in a linear viscoelastic body.
+    The limits are those of a crack in a linear viscoelastic body; the form between them is an assumption.
 
     Parameters
     ----------

@@ -59,7 +59,7 @@ NextLateral: TypeAlias = Annotated[
 
 @value
 class Start:
-    """Where the path begins.
+    """The first loads of a path.
 
     Parameters
     ----------
@@ -126,7 +126,7 @@ class Ramp:
 
 @value
 class Hold:
-    """Wait.
+    """A period in which all loads are constant.
 
     Parameters
     ----------
@@ -154,10 +154,10 @@ class Hold:
 
 @value
 class Oscillate:
-    """Oscillate about where one is.
+    """Oscillation about the present loads.
 
-    Along the surface A sin(2 pi f t + phase), across it A sin(2 pi ratio f t), both about the present loads.  With a
-    phase the path first goes at once to where the oscillation begins.
+    Along the surface A sin(2 pi f t + phase), across it A sin(2 pi ratio f t). With a phase the path first steps to the
+    start of the oscillation.
 
     Parameters
     ----------
@@ -212,7 +212,7 @@ class Oscillate:
 
 @value
 class Circle:
-    """Run round a circle about where one is: at once out along x, then round from x towards y.
+    """Circular motion about the present position: a step along x, then rotation from x towards y.
 
     Parameters
     ----------

@@ -27,7 +27,7 @@ Conductor = ElectricalConductor | ThermalConductor
 
 @value
 class Plated:
-    """A thick body under a plating of another conductor, bonded without resistance between them.
+    """A thick body with a plating of another conductor, bonded without interface resistance.
 
     Parameters
     ----------
@@ -60,7 +60,7 @@ class Plated:
 
 @value
 class Rod:
-    """A round rod that ends in the contact, at the middle of its end face; its side lets nothing through.
+    """A round rod with the contact in the middle of its end face; its side is insulated.
 
     Parameters
     ----------

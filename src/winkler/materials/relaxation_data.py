@@ -51,7 +51,7 @@ SORT_ADVICE = Advice("sort the rows, and average what is given twice")
 
 @value
 class RelaxationData(_MeasuredSolid):
-    """A solid whose relaxation was measured.
+    """A viscoelastic solid with a measured relaxation modulus.
 
     Parameters
     ----------
@@ -91,7 +91,7 @@ class RelaxationData(_MeasuredSolid):
 
 @value
 class CreepData(_MeasuredSolid):
-    """A solid whose creep was measured.
+    """A viscoelastic solid with measured creep compliance.
 
     Parameters
     ----------
@@ -131,7 +131,7 @@ class CreepData(_MeasuredSolid):
 
 @value
 class DynamicData(_MeasuredSolid):
-    """A solid whose storage and loss were measured.
+    """A viscoelastic solid with measured storage and loss moduli.
 
     Parameters
     ----------

@@ -47,7 +47,7 @@ SEARCHED_BENDS = np.geomspace(1e-9, 1e3, 13)
 
 @value
 class AreaFunction(Shape):
-    """The body of revolution with the cross-sections of a calibrated indenter.
+    """The body of revolution with the cross-sections of a calibrated area function.
 
     Parameters
     ----------

@@ -46,7 +46,7 @@ class Cone(PowerPieces):
 
 @value
 class TruncatedCone(PowerPieces):
-    """A cone with its tip cut off: flat up to `flat_radius`, then a cone.
+    """A cone with its tip cut off: flat up to `flat_radius`, then conical.
 
     Parameters
     ----------
@@ -67,7 +67,7 @@ class TruncatedCone(PowerPieces):
 
 @value
 class RoundedCone(PowerPieces):
-    """A cone with a parabolic tip that joins it with a common tangent.
+    """A cone with a parabolic tip and a continuous slope.
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ class RoundedCone(PowerPieces):
 
 @value
 class SpheroConical(RisingShape):
-    """A cone with a spherical tip that joins it with a common tangent: the real AFM or nanoindenter tip.
+    """A cone with a spherical tip and a continuous slope: the usual AFM or nanoindenter tip.
 
     Parameters
     ----------

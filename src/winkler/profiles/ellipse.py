@@ -30,7 +30,7 @@ ROUNDING = 1e-14
 
 @value
 class ContactEllipse:
-    """A contact of known size.
+    """An elliptic contact of known size.
 
     Parameters
     ----------

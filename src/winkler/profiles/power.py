@@ -19,7 +19,7 @@ __all__ = ["Paraboloid", "PowerLaw"]
 
 @value
 class Paraboloid(RisingShape):
-    """A paraboloid of revolution, f = r^2 / (2 R): what Hertz put in place of the sphere.
+    """A paraboloid of revolution, f = r^2 / (2 R): Hertz's approximation of the sphere.
 
     Parameters
     ----------

@@ -25,7 +25,7 @@ __all__ = ["CrownedEnds", "LogarithmicEnds", "RollerEnds", "RoundedEnds", "Sharp
 
 @value
 class SharpEnds:
-    """A straight roller that is cut off: its edges are sharp, and the pressure there is infinite."""
+    """A straight roller with sharp edges, where the pressure is infinite."""
 
     def drop(self, x: Array, half_length: float, modulus: float) -> Array:
         """Return by how much the radius is smaller at x [m]: zero."""

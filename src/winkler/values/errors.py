@@ -95,7 +95,7 @@ class NotConverged(WinklerError, ArithmeticError):
 
 
 class OutsideValidity(WinklerError, ValueError):
-    """The input is sound, but the theory does not hold there."""
+    """The input is valid, but the theory does not apply to it."""
 
     exit_code = 4
 

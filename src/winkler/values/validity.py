@@ -32,7 +32,7 @@ __all__ = [
 
 
 class Standing(Enum):
-    """The statement of a note on the result, from best to worst."""
+    """The levels of a validity note, from best to worst."""
 
     EXACT = "exact"
     ASYMPTOTIC = "asymptotic"

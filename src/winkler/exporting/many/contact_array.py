@@ -39,8 +39,8 @@ TABLE_TOLERANCE = 1e-9
 class ContactArray(ContactStore):
     """Many contacts of one law in arrays, which `step` changes in place, on all cores.
 
-    The step of a contact is the kernel that `export` writes into other languages.  Unlike the values of winkler this
-    one changes: a step of ten million contacts leaves no copy of them.
+    A step uses the same kernel that `export` writes in other languages. In contrast to other winkler objects this one
+    is mutable: a step of ten million contacts makes no copy.
 
     Parameters
     ----------

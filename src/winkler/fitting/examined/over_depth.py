@@ -46,7 +46,7 @@ LEAST_VARIANCE = 0.05
 
 @value
 class DepthSeries:
-    """A number over the greatest fitted depth; the last is the fit of the whole curve.
+    """A fitted parameter over the maximum fitted depth; the last value is that of the whole curve.
 
     Parameters
     ----------

@@ -46,7 +46,7 @@ class HoldVerdict(enum.Enum):
 
 @value
 class DepthScaling:
-    """How the times of a relaxation grow with the contact radius.
+    """Growth of the relaxation times with the contact radius.
 
     Parameters
     ----------

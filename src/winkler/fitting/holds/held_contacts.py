@@ -52,7 +52,7 @@ MEANINGS = {
 
 @value
 class HeldContacts:
-    """Forces of contacts that were pressed in at once and held, with two contact radii or more.
+    """Force relaxation of contacts at constant depth, with at least two contact radii.
 
     Parameters
     ----------

@@ -21,7 +21,7 @@ FEWEST_ROWS = 8
 
 @value
 class HeldForce:
-    """A hold: the indenter, its depth, and the force over time.
+    """A hold period: the indenter, its depth, and the force over time.
 
     Parameters
     ----------

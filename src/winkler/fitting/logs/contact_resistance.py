@@ -107,7 +107,7 @@ def _estimates(rows: Array, rest: Array, numbers: Array) -> list[Estimate]:
 
 @value
 class MeasuredConstriction:
-    """A contact whose resistance was measured over the force.
+    """A contact with measured resistance over the force.
 
     Parameters
     ----------

@@ -38,7 +38,7 @@ def _none() -> Array:
 
 @value
 class FrictionLog:
-    """Displacement and shear force of a contact that is moved to and fro, many cycles in one log.
+    """Displacement and shear force of a contact over many cycles of oscillation.
 
     Parameters
     ----------

@@ -67,7 +67,7 @@ class Loop(NamedTuple):
 
 @value
 class FrictionLoops:
-    """Loops of friction that were measured, and the contact that is taken to have made them.
+    """Measured friction loops and the contact that is assumed to have produced them.
 
     Parameters
     ----------

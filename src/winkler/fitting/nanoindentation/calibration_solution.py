@@ -19,7 +19,7 @@ __all__ = ["IndenterCalibration"]
 
 @value
 class IndenterCalibration:
-    """A calibrated indenter with the readings of its references.
+    """A calibrated indenter with the evaluated reference indentations.
 
     Parameters
     ----------

@@ -18,7 +18,7 @@ __all__ = ["JointFit"]
 
 @value
 class JointFit:
-    """Numbers that several curves share, fitted to all of them at once.
+    """A fit of several curves with common parameters.
 
     Parameters
     ----------

@@ -114,7 +114,7 @@ def polynomial(coefficients: tuple[float, ...], height: float) -> float:
 
 @value
 class ContactReading:
-    """Result of the evaluation of one stiffness.
+    """Result of the evaluation of one contact stiffness.
 
     Parameters
     ----------

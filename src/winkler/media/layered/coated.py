@@ -384,10 +384,10 @@ class CoatedHalfSpace(StackMedium):
 
 @value
 class StackedHalfSpace(StackMedium):
-    r"""Layers, isotropic or transversely isotropic, each bonded to what lies below it or sliding there, on a base.
+    r"""Layers on a base, each bonded to the material below or sliding on it.
 
-    Isotropic layers that are all bonded give what `CoatedHalfSpace` gives; more problems take that.  An interface that
-    slides has no friction and does not open.
+    Layers are isotropic or transversely isotropic. For bonded isotropic layers results are those of `CoatedHalfSpace`,
+    which more problems support. A sliding interface has no friction and does not open.
 
     Parameters
     ----------

@@ -55,10 +55,10 @@ VANISHED_DEPTH = 44.0
 
 @value
 class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
-    """Bonded layers on a half-space or a rigid base, of which each may relax by a law of its own.
+    """Bonded layers on a half-space or a rigid base, each with a separate relaxation function.
 
-    Its response depends on time, and not in proportion: `ViscoelasticIndentation`, `CreepTest`, `RelaxationTest` and
-    `HarmonicIndentation` know it, and under lines `LineViscoelasticIndentation`.
+    The response depends on time, and is not proportional to one function. `ViscoelasticIndentation`, `CreepTest`,
+    `RelaxationTest` and `HarmonicIndentation` support it, and `LineViscoelasticIndentation` in line contact.
 
     Parameters
     ----------

@@ -54,14 +54,14 @@ BIOT = (
 
 @value
 class PoroelasticFilm(RelaxingByWaves):
-    """A network filled with a liquid, bonded to a rigid base that is impermeable, and drained at its surface.
+    """A liquid-filled network, bonded to a rigid, impermeable base and drained at its surface.
 
-    The body that is pressed in lets the liquid through, as the bath beside it does.  Where a contact is wider than some
-    40 thicknesses, what creeps within 1e-5 h^2/D comes at once: the peak of an undrained film, hundreds of times the
-    later force, is over long before (the force is then 3 % too high at 1e-4 h^2/D, 0.3 % at 1e-3).  Its response
-    depends on time:
-    `ViscoelasticIndentation`, `CreepTest`, `RelaxationTest` and `HarmonicIndentation` know it, and under
-    lines `LineViscoelasticIndentation`.
+    Liquid also passes into the indenter. For contacts wider than some 40 thicknesses the creep within 1e-5 h^2/D is
+    taken as instantaneous. The peak of an undrained film, hundreds of times the later force, is over long before. The
+    force is then 3 % too high at 1e-4 h^2/D and 0.3 % at 1e-3 h^2/D.
+
+    The response depends on time. `ViscoelasticIndentation`, `CreepTest`, `RelaxationTest` and `HarmonicIndentation`
+    support it, and `LineViscoelasticIndentation` in line contact.
 
     Parameters
     ----------

@@ -44,9 +44,9 @@ ElasticMedium = (
 
 @value
 class RelaxingInProportion(RelaxingLayers):
-    """An elastic medium all of whose moduli relax by the same function of time, phi(t) = G(t) / shear.
+    """An elastic medium in which all moduli have one relaxation function, phi(t) = G(t) / shear.
 
-    Every part of it that is not rigid relaxes: layers, what carries them, and the other body.
+    All deformable parts relax: the layers, their base, and the other body.
 
     Parameters
     ----------

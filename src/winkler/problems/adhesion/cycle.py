@@ -68,7 +68,7 @@ MACHINE_STIFFNESS_RANGE = POSITIVE_OR_INFINITE._replace(
 
 @value
 class AdhesiveCycle:
-    """Slow approach and retraction along a path.
+    """Slow approach and retraction of an adhesive contact along a path.
 
     The bodies are apart at the beginning and first approach up to the first point of the path.
 

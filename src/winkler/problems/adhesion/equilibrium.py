@@ -35,7 +35,7 @@ LEAST_STATES, MOST_STATES = 2, 1_000_000
 
 @value
 class Equilibrium:
-    """All equilibria of an adhesive contact up to a radius.
+    """All states of equilibrium of an adhesive contact up to a given radius.
 
     Parameters
     ----------

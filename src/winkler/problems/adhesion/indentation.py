@@ -39,7 +39,7 @@ FIXED_GRIPS, DEAD_LOAD = float("inf"), 0.0
 
 @value
 class AdhesiveIndentation(PerLoad[Q]):
-    """A body that sticks to another one.
+    """An adhesive body pressed into another one or pulled off it.
 
     Parameters
     ----------

@@ -70,7 +70,7 @@ class ShearLimit:
 
 @value
 class AdhesiveShear(PerLoad[Q]):
-    """A contact with attraction of short range that is pressed or pulled, then sheared without slip.  Approximate.
+    """A contact with short-range adhesion under a normal load, sheared without slip (approximate).
 
     Parameters
     ----------

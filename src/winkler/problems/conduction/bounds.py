@@ -37,7 +37,7 @@ HALVINGS = 200
 
 @value
 class ConductanceBounds:
-    """A rough body pressed into another one: bounds of stiffness and conductance.
+    """Bounds of stiffness and conductance of a rough body pressed into another one.
 
     Parameters
     ----------

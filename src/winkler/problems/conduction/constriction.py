@@ -30,7 +30,7 @@ __all__ = ["Constriction", "ConstrictionSolution"]
 
 @value
 class Constriction(PerLoad[Q]):
-    """Two conductors pressed together: their contact resistance.
+    """Electrical contact resistance of two conductors pressed together.
 
     Parameters
     ----------

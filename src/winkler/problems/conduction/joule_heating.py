@@ -41,7 +41,7 @@ KOHLRAUSCH = "R. Holm, Electric Contacts, 4th edition, Springer 1967, section 13
 
 @value
 class JouleHeating(PerLoad[Q]):
-    """A current through two conductors pressed together.
+    """Heating of a contact by an electric current.
 
     Parameters
     ----------

@@ -36,7 +36,7 @@ MOST_SPREADING = (1.5 - 2.0 * math.log(2.0)) / math.pi
 
 @value
 class LineConstriction(PerLoad[Q]):
-    """Two conductors in line contact: their contact resistance, per length, against points that are stated.
+    """Contact resistance per length of two conductors in line contact, between given reference points.
 
     Parameters
     ----------

@@ -39,7 +39,7 @@ GREENWOOD = (
 
 @value
 class SpotCluster:
-    """Two thick conductors that touch in round spots of one plane.
+    """Two thick conductors in contact through round spots of one plane.
 
     Parameters
     ----------

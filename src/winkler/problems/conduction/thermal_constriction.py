@@ -29,7 +29,7 @@ __all__ = ["ThermalConstriction", "ThermalConstrictionSolution"]
 
 @value
 class ThermalConstriction(PerLoad[Q]):
-    """Two bodies of different temperature pressed together: the heat that flows.
+    """Heat flow between two bodies of different temperature pressed together.
 
     Parameters
     ----------

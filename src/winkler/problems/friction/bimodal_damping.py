@@ -77,7 +77,7 @@ AMPLITUDE_ADVICE = Advice("how far to each side; turn the phase by pi instead of
 
 @value
 class BimodalDamping(PerLoad[Q]):
-    """A contact that is pressed and pushed along the surface in harmonic motion, d_0 + A_z cos, A_x cos(. + phase).
+    """A contact with harmonic normal and tangential motion, d_0 + A_z cos(.) and A_x cos(. + phase).
 
     Parameters
     ----------

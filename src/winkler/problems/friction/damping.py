@@ -60,7 +60,7 @@ FORCE_ROUNDING = 1e-12
 
 @value
 class FrictionDamping(PerLoad[Q]):
-    """A contact pushed to and fro along the surface, under a steady normal load.
+    """A contact under a steady normal load and oscillating tangential displacement.
 
     Parameters
     ----------

@@ -47,7 +47,7 @@ STICKING = Note(
 
 @value
 class RelaxationDamper:
-    """A contact whose depth oscillates fast, moved slowly along its surface without sliding.
+    """Slow tangential motion without slip of a contact whose depth oscillates fast.
 
     Parameters
     ----------

@@ -61,7 +61,7 @@ State = TangentialState | SpringState | PushedState | DraggedState
 
 @value
 class Tangential:
-    """A body pressed and moved along the surface on a path, with friction.
+    """A body pressed and moved tangentially along a path of loads, with friction.
 
     Parameters
     ----------

@@ -31,7 +31,7 @@ __all__ = ["BandHeating", "BandHeatingSolution"]
 
 @value
 class BandHeating(StripHeating[Q]):
-    """One or two bodies that move past an even band of heat.
+    """One or two bodies that move past a band of uniform heat flux.
 
     Parameters
     ----------

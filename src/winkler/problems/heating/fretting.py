@@ -55,7 +55,7 @@ JAEGER = "J. C. Jaeger, Proc. R. Soc. New South Wales 76 (1942) 203-224"
 
 @value
 class FrettingHeat(RubbingBodies):
-    """A contact that is pushed to and fro along the surface, again and again, and warms up.
+    """Heating of a contact under oscillating tangential displacement.
 
     Parameters
     ----------

@@ -35,7 +35,7 @@ __all__ = ["LineFrictionHeating", "LineFrictionHeatingSolution"]
 
 @value
 class LineFrictionHeating(StripHeating[Q]):
-    """Two bodies in line contact that slide on each other, or roll and slide, and warm up.
+    """Frictional heating of two bodies in line contact that slide, or roll and slide.
 
     Parameters
     ----------

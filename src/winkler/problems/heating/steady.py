@@ -47,7 +47,7 @@ __all__ = ["FrictionHeating", "FrictionHeatingSolution"]
 
 @value
 class FrictionHeating(RubbingPlatedBodies, PerLoad[Q]):
-    """Two bodies that slide on each other, or roll and slide, and warm up.
+    """Frictional heating of two bodies that slide, or roll and slide.
 
     Parameters
     ----------

@@ -44,7 +44,7 @@ __all__ = ["TransientHeating", "TransientHeatingSolution"]
 
 @value
 class TransientHeating(RubbingBodies):
-    """Two bodies that begin to slide on each other, slowly, and warm up in the course of time.
+    """Heating of two bodies from the moment at which they begin to slide slowly.
 
     Parameters
     ----------

@@ -59,7 +59,7 @@ RANGE_ADVICE = Advice("attraction from afar begins before the touch")
 
 @value
 class AdhesiveImpact:
-    """A sticky body strikes a surface, straight.
+    """Normal impact of an adhesive body.
 
     Parameters
     ----------

@@ -50,7 +50,7 @@ __all__ = ["Impact", "ImpactSolution"]
 
 @value
 class Impact:
-    """A body strikes a surface.
+    """Impact of a body on a surface.
 
     Parameters
     ----------

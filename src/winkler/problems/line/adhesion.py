@@ -45,7 +45,7 @@ __all__ = ["LayeredLineAdhesionSolution", "LineAdhesion", "LineAdhesionSolution"
 
 @value
 class LineAdhesion(PerLoad[Q]):
-    """A cylinder, a wedge or another two-dimensional body that sticks to a half-plane or to layers, in plane strain.
+    """Adhesive contact of a cylinder, wedge or other two-dimensional body with a half-plane or layers, in plane strain.
 
     Parameters
     ----------

@@ -67,7 +67,7 @@ LOWERED = 1e-10
 
 @value
 class LineShakedown:
-    """Up to which force per length does a body stay elastic in the end that a strip rolls over again and again?
+    """The force per length up to which a body under repeated rolling shakes down to elastic behaviour.
 
     Parameters
     ----------

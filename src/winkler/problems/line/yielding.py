@@ -70,7 +70,7 @@ class LinePartOnset:
 
 @value
 class LineYieldOnset:
-    """Under which force per length does each body below a line contact begin to yield, at rest or while it slides?
+    """The force per length at which each body in a line contact begins to yield, with or without sliding.
 
     Parameters
     ----------

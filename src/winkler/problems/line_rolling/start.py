@@ -76,7 +76,7 @@ ONE_DRIVE = Condition(
 
 @value
 class LineRollingStart:
-    """A cylinder at rest that begins to roll, under a force per length that is held or with a prescribed creepage.
+    """A cylinder that begins to roll from rest, at constant force per length or with a prescribed creepage.
 
     Parameters
     ----------

@@ -59,9 +59,9 @@ UNBALANCED = 0.1
 
 @value
 class LineViscoelasticIndentation:
-    """A cylinder, a wedge or another two-dimensional body pressed on bodies that relax, in plane strain.
+    """A cylinder, wedge or other two-dimensional body pressed on viscoelastic bodies, in plane strain.
 
-    Before the first point of the path nothing has happened; a first force that is not zero comes suddenly.
+    The load history begins with the first point of the path. A first force that is not zero is applied in one step.
 
     Parameters
     ----------

@@ -40,7 +40,7 @@ NEW_GRID = 0.5
 
 
 class ShiftedBy(StrEnum):
-    """The moduli from which the shifts of a master curve follow."""
+    """The moduli that determine the shifts of a master curve."""
 
     BOTH = "both"
     """All that were measured."""

@@ -28,7 +28,7 @@ __all__ = ["RelaxationSpectrum", "SpectrumSolution"]
 
 @value
 class RelaxationSpectrum:
-    """A measured relaxation, or storage and loss, of which the spectrum of relaxation times is sought.
+    """A measured relaxation modulus, or storage and loss moduli, for computing the spectrum of relaxation times.
 
     Parameters
     ----------

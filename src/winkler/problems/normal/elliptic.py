@@ -73,7 +73,7 @@ CONFORMING = "M. Ciavarella, P. Decuzzi, Int. J. Solids Struct. 38 (2001) 4507, 
 
 @value
 class EllipticIndentation(PerLoad[Q]):
-    """Two bodies of two curvatures each, pressed together without friction.
+    """Frictionless contact of two bodies with two curvatures each.
 
     Parameters
     ----------

@@ -40,7 +40,7 @@ FRICTIONLESS = Coulomb(0.0)
 
 @value
 class EllipticYieldOnset:
-    """Under which force do bodies of two curvatures begin to yield, at rest or while they slide?
+    """The force at which an elliptic contact begins to yield, with or without sliding.
 
     Parameters
     ----------

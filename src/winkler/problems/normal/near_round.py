@@ -66,7 +66,7 @@ PRESSED_TOGETHER = Condition(
 
 @value
 class NearlyRoundIndentation(PerLoad[Q]):
-    """A body that is nearly one of revolution, pressed into a half-space or into layers.
+    """A nearly axisymmetric body pressed into a half-space or into layers.
 
     Parameters
     ----------

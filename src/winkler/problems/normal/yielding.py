@@ -29,10 +29,10 @@ FRICTIONLESS = Coulomb(0.0)
 
 @value
 class YieldOnset:
-    r"""At which load does each of the bodies begin to yield, pressed or while it slides, and which is the first?
+    r"""The load at which each body begins to yield, with or without sliding, and which body is the first.
 
-    A contact that slides carries the traction :math:`\mu p` of Coulomb's law; the pressure is taken to be that without
-    friction, as usual: what the traction adds to it is left out (`validity` says of which order that is).
+    A sliding contact carries the traction :math:`\mu p` of Coulomb's law. The pressure is assumed to be that without
+    friction. `validity` states the order of magnitude of this error.
 
     Parameters
     ----------

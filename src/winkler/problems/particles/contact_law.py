@@ -44,7 +44,7 @@ ONE_RATIO = (
 
 @value
 class ContactLaw:
-    """What a discrete element or multibody program needs of a contact: a table over the depth.
+    """A table of a contact over depth, for discrete element or multibody programs.
 
     Parameters
     ----------
@@ -161,7 +161,7 @@ def _triangles(depth: Array, force: Array, stiffness: Array) -> Array:
 
 @value
 class ContactLawSolution:
-    """A contact law in rows, to be interpolated.
+    """Rows of a contact law over depth, for interpolation.
 
     Parameters
     ----------

@@ -55,7 +55,7 @@ ELASTIC = Note(
 
 @value
 class ElasticPlasticParticle:
-    """A ball that yields and sticks, pressed against a rigid plane.
+    """An adhesive, elastic-plastic ball pressed against a rigid plane.
 
     Parameters
     ----------

@@ -38,7 +38,7 @@ EXTRA_STEPS = 5
 
 @value
 class BallImpacts:
-    """Balls strike surfaces, or each other; every array is ``(contacts,)``, or one number for all.
+    """Impacts of balls on surfaces or on each other; every array is ``(contacts,)``, or one number for all.
 
     Parameters
     ----------

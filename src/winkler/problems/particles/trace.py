@@ -41,7 +41,7 @@ UNCOUPLED = Note(
 
 @value
 class ContactTrace:
-    """What many contacts went through, step by step.
+    """Loads, displacements and forces of many contacts, step by step.
 
     Parameters
     ----------

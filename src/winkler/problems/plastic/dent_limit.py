@@ -25,10 +25,10 @@ __all__ = ["DentLimit", "DentLimitSolution"]
 
 @value
 class DentLimit:
-    """Under which load is a dent of a given depth left?
+    """The load that leaves a dent of a given depth.
 
-    A static load is often limited by the dent that may stay, not by the onset of yield: in a rolling bearing the
-    rolling element and the raceway together may keep 1e-4 of the diameter of the rolling element (ISO 76).
+    A static load is often limited by the permitted dent, not by the onset of yield. In a rolling bearing, dents of
+    rolling element and raceway together may be 1e-4 of the diameter of the rolling element (ISO 76).
 
     Parameters
     ----------

@@ -84,7 +84,7 @@ TABOR = "D. Tabor, Proc. R. Soc. Lond. A 192 (1948) 247-274, doi:10.1098/rspa.19
 
 @value
 class PlasticImpact(PerLoad[Q]):
-    """A body of revolution strikes another one, straight or obliquely, of which at least one yields.
+    """Normal or oblique impact of bodies of revolution; at least one body yields.
 
     Parameters
     ----------

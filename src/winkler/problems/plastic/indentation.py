@@ -94,7 +94,7 @@ LEAST_EXPONENT, GREATEST_EXPONENT = 0.9, 2.3
 
 @value
 class PlasticIndentation:
-    """A round body pressed against another one, of which at least one yields.
+    """A round body pressed against another one; at least one body yields.
 
     Parameters
     ----------

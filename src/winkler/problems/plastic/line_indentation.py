@@ -181,7 +181,7 @@ def _shapes(share: Array) -> tuple[Array, Array]:
 
 @value
 class LinePlasticIndentation:
-    """A cylinder pressed on a half-plane, of which at least one yields, in plane strain.
+    """A cylinder pressed on a half-plane in plane strain; at least one body yields.
 
     Parameters
     ----------

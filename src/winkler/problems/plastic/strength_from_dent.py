@@ -51,7 +51,7 @@ HARDENS = Note(
 
 @value
 class Blow(PerLoad[Q]):
-    """A body that arrives straight with a velocity.
+    """A body that strikes a surface in the normal direction with a given velocity.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ class Blow(PerLoad[Q]):
 
 @value
 class Restitution(PerLoad[Q]):
-    """A measured velocity of parting over that of approach.
+    """A measured coefficient of restitution: rebound velocity over approach velocity.
 
     Parameters
     ----------
@@ -94,11 +94,11 @@ class Restitution(PerLoad[Q]):
 
 @value
 class StrengthFromDent:
-    r"""Which strength has a metal in which known loads have left dents, or from which bodies rebound?
+    r"""The strength of a metal from dents of known loads, or from rebounds.
 
-    The strength is sought with which `PlasticIndentation` leaves this dent, or `PlasticImpact` has this restitution.
-    Of one load it is exact; of several it is that of least squares, each load weighed by its error.  Errors are carried
-    on to first order, of one dent of the radius r
+    It is the strength at which `PlasticIndentation` leaves this dent, or `PlasticImpact` has this restitution. For one
+    measurement it is exact; for several it is a least-squares fit, weighted by their errors. Errors are propagated to
+    first order, for one dent of radius r
 
     .. math:: u^2(\ln Y) = \left(\frac{\partial\ln Y}{\partial\ln F}\frac{u(F)}{F}\right)^2
               + \left(\frac{\partial\ln Y}{\partial\ln r}\frac{u(r)}{r}\right)^2 .

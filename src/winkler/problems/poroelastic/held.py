@@ -33,7 +33,7 @@ HeldProfile = Paraboloid | Sphere | Cone | FlatPunch
 
 @value
 class PoroelasticRelaxation:
-    """An indenter pressed into a poroelastic body at once, and held.
+    """Force relaxation of a poroelastic body at constant depth.
 
     Parameters
     ----------

@@ -37,7 +37,7 @@ __all__ = ["Seal", "SealSolution", "seal_notes"]
 
 @value
 class Seal(PerLoad[Q]):
-    """A height map pressed against a flat, and the fluid that leaks between them.
+    """Leakage of a fluid between a height map and a flat pressed together.
 
     Parameters
     ----------

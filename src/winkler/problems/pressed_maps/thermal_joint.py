@@ -39,7 +39,7 @@ YOVANOVICH = "M. M. Yovanovich, IEEE Trans. Compon. Packag. Technol. 28 (2005) 1
 
 @value
 class ThermalJoint(PerLoad[Q]):
-    """A height map pressed against a flat, and the heat through its spots and its gap.
+    """Heat flow through the contact spots and the gap of a height map pressed against a flat.
 
     Parameters
     ----------

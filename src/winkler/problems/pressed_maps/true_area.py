@@ -39,7 +39,7 @@ SMALL_CHANGE, LARGE_CHANGE = 0.02, 0.5
 
 @value
 class TrueArea(PerLoad[Q]):
-    """How much of a pressed height map touches, how hard, and in how many patches.
+    """True contact area, pressure and number of patches of a pressed height map.
 
     Parameters
     ----------

@@ -56,7 +56,7 @@ FASTEST_DRIFT = 0.5
 
 @value
 class ProfilePairRolling:
-    """Two bodies of given profiles that roll over each other steadily, with friction.
+    """Steady rolling of two bodies with given profiles, with friction.
 
     Parameters
     ----------

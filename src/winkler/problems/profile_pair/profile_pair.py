@@ -43,7 +43,7 @@ LARGEST_TURN = 0.5
 
 @value
 class ProfilePair:
-    """Two bodies of given profiles, one above the other, pressed together without friction.
+    """Frictionless contact of two bodies with given profiles, one above the other.
 
     Parameters
     ----------

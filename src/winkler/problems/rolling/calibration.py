@@ -39,7 +39,7 @@ HERTZIAN_DEPARTURE = 0.01
 
 @value
 class Kalker:
-    """Springs with the stiffness that gives Kalker's coefficients of a round contact: the default."""
+    """Spring stiffness from Kalker's coefficients of a round contact (default)."""
 
     def stiffness(self, bed: Bed, radius: float) -> tuple[float, float]:
         """Return c11 G / 2 and c22 G / 2 [Pa], of layers and gradings half the forces of a disc that does not slip.
@@ -97,7 +97,7 @@ class Kalker:
 
 @value
 class Uncalibrated:
-    """Springs that are as stiff as at rest, G*: the method as it is, for comparison."""
+    """Springs with the stiffness G* of a contact at rest, for comparison."""
 
     def stiffness(self, bed: Bed, radius: float) -> tuple[float, float]:
         """Return G* twice [Pa].

@@ -29,7 +29,7 @@ UNITS = {"longitudinal": "", "lateral": "", "spin": " in 1/m"}
 
 @value
 class Creepage(PerLoad[Q]):
-    """The creepages of a rolling pair: slip of the second body over the first, over the speed of rolling.
+    """The creepages of a rolling pair: velocity of the second body relative to the first, over the rolling speed.
 
     Parameters
     ----------

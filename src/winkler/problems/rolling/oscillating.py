@@ -48,7 +48,7 @@ FORCE_ROUNDING = 1e-9
 
 @value
 class OscillatingRolling:
-    """A contact under a steady normal and shear force that rolls to and fro.
+    """A contact under steady normal and shear force that rolls back and forth.
 
     Parameters
     ----------

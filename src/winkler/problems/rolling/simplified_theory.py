@@ -55,7 +55,7 @@ ONE_FORCE = Condition(
 
 @value
 class SimplifiedRolling(PerLoad[Q]):
-    """Bodies that roll over each other on an elliptic contact, with creepage and spin.
+    """Rolling of bodies on an elliptic contact with creepage and spin, by Kalker's simplified theory.
 
     Parameters
     ----------

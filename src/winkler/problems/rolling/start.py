@@ -47,7 +47,7 @@ ONE_FORCE = Condition(lambda load: np.ndim(load.shear_force) == 0, "give ShearFo
 
 @value
 class RollingStart:
-    """A contact at rest that begins to roll with creepage.
+    """A contact that begins to roll from rest with creepage.
 
     Parameters
     ----------

@@ -42,7 +42,7 @@ DEFAULT_CALIBRATION = Kalker()
 
 @value
 class Rolling(PerLoad[Q]):
-    """A body that rolls over another one with creepage, under a steady normal load.
+    """Steady rolling of a body with creepage, under a steady normal load.
 
     Parameters
     ----------

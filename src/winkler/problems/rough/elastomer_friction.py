@@ -31,7 +31,7 @@ DISPUTE = "I. A. Lyashenko, L. Pastewka, B. N. J. Persson, Phys. Rev. Lett. 111 
 
 @value
 class ElastomerFriction:
-    """A rigid rough surface that slides on an elastomer.
+    """Friction of an elastomer on a rigid rough surface.
 
     Parameters
     ----------

@@ -65,7 +65,7 @@ LAYERED_LINES = Note(
 
 @value
 class RoughContact(PerLoad[Q]):
-    """A rough square pressed onto a flat half-space, by lines of springs.
+    """A rough square on a flat half-space, computed with one-dimensional foundations.
 
     Parameters
     ----------

@@ -42,7 +42,7 @@ POPOV = "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015
 
 @value
 class RoughIndentation(PerLoad[Q]):
-    """A rough body pressed into a half-space, by lines of springs.
+    """A rough body pressed into a half-space, computed with one-dimensional foundations.
 
     Parameters
     ----------

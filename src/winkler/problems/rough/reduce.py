@@ -65,7 +65,7 @@ ContactRow = tuple[float, float, float, float]
 
 @value
 class Reduction:
-    """The problem of finding springs that bear forces like a height map.
+    """Computation of a spring foundation with the force-depth curve of a height map.
 
     Parameters
     ----------

@@ -32,9 +32,9 @@ def _none() -> Array:
 
 @value
 class ReducedBed(DirectionalBed):
-    """Springs that bear forces like a height map, for every problem that needs no more than forces and depths.
+    """A spring foundation with the force-depth curve of a height map.
 
-    Making one solves some ten contacts by boundary elements; its forces and depths afterwards take milliseconds.
+    It is computed from some ten contact solutions by boundary elements. After that a force or depth takes milliseconds.
 
     Parameters
     ----------

@@ -34,7 +34,7 @@ def _none() -> Array:
 
 @value
 class RoughLine:
-    """One line of independent springs under given heights, all loads at once.
+    """A one-dimensional foundation of independent springs under given heights, all loads at once.
 
     Parameters
     ----------

@@ -53,7 +53,7 @@ BARBER = "J. R. Barber, Proc. R. Soc. A 459 (2003) 53-66, doi:10.1098/rspa.2002.
 
 @value
 class SurfaceConduction(PerLoad[Q]):
-    """A height map on a flat half-space, and the current through both.
+    """A height map on a flat half-space, and the current through both bodies.
 
     Parameters
     ----------

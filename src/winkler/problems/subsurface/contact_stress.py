@@ -60,7 +60,7 @@ _Search = Callable[[StrongPart, tensor.Measure], _Greatest]
 
 @value
 class ContactStress:
-    """The greatest stresses inside the bodies of a contact that is pressed without friction, and how deep they lie.
+    """The maximum stresses inside the bodies of a frictionless contact, and their depths.
 
     Parameters
     ----------
@@ -192,7 +192,7 @@ class PartStress:
 
 @value
 class ContactStressSolution:
-    """The solution of `ContactStress`; depths are below zero in the second body, if it is the more stressed one.
+    """The solution of `ContactStress`; depths are negative if the second body has the maximum stress.
 
     Parameters
     ----------

@@ -27,7 +27,7 @@ FINE, COARSE = 0.01, 0.2
 
 @value
 class MapStress:
-    """The stresses in a body under a given map of pressures and tractions, and the greatest of them.
+    """Stresses in a body under a given map of pressures and tractions, and their maximum.
 
     Parameters
     ----------

@@ -61,7 +61,7 @@ TOUCHING = 1e-6
 
 @value
 class SurfaceAdhesion:
-    """A height map attracted by an elastic half-space, moved through displacements, without friction.
+    """A height map attracted by an elastic half-space under prescribed displacements, without friction.
 
     Parameters
     ----------

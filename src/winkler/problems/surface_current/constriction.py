@@ -47,7 +47,7 @@ SAME_SHARE = 1e-6
 
 @value
 class SurfaceConstriction(PerLoad[Q]):
-    """A height map pressed onto another conductor, plated or not, and a current through its spots.
+    """Electrical resistance of a height map pressed onto another conductor, with or without platings.
 
     Parameters
     ----------

@@ -52,7 +52,7 @@ def _shares() -> Array:
 
 @value
 class JointStiffness(PerLoad[Q]):
-    """How stiff a pressed height map is, across and along the surface, and what it loses in a cycle of friction.
+    """Normal and tangential stiffness of a pressed height map, and its dissipated energy per cycle of friction.
 
     Parameters
     ----------

@@ -50,7 +50,7 @@ LOSS_POWER = 3.0
 
 @value
 class ReducedFriction:
-    """The problem of finding springs that stand for a height map under friction, with their error.
+    """Computation of a spring foundation that represents a height map under friction, with its error.
 
     Parameters
     ----------

@@ -45,7 +45,7 @@ def _passes(contact: SurfaceRolling | SurfaceLoad) -> bool:
 
 @value
 class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
-    """Bodies that slide along x, or roll with creepage, touch on a map of pixels, and warm up.
+    """Heating of bodies that slide along x, or roll with creepage, in contact on a pixel map.
 
     Parameters
     ----------

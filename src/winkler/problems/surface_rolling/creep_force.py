@@ -19,7 +19,7 @@ __all__ = ["ONE_PUSH", "CreepForce", "Given", "Spin", "first_of", "given_of"]
 
 @value
 class Spin(PerLoad[Q]):
-    """A prescribed spin of a rolling pair, beside given forces.
+    """A prescribed spin of a rolling pair, in addition to given forces.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ NO_SPIN: Any = Spin(0.0)
 
 @value
 class CreepForce(PerLoad[Q]):
-    """The forces of a rolling pair, whose creepages are sought.
+    """Prescribed forces of a rolling pair; the creepages are computed.
 
     Parameters
     ----------

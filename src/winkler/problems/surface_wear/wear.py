@@ -47,7 +47,7 @@ __all__ = ["SurfaceWear", "SurfaceWearSolution", "begin", "go"]
 
 @value
 class SurfaceWear:
-    """A height map that slides on the other body under a steady load, and wears.
+    """Wear of a height map that slides under a steady load.
 
     Parameters
     ----------

@@ -107,9 +107,9 @@ MACHINE_STIFFNESS_RANGE = POSITIVE_OR_INFINITE._replace(demand="it must be posit
 
 @value
 class ViscoelasticAdhesion:
-    """A body that sticks to rubber, pressed on and pulled off along a path.
+    """Adhesive contact with rubber, pressed on and pulled off along a path.
 
-    The bodies are apart at the beginning and first approach slowly up to the first point of the path.
+    The bodies are initially apart and approach slowly up to the first point of the path.
 
     Parameters
     ----------

@@ -48,7 +48,7 @@ SAMPLES = 257
 
 @value
 class ViscoelasticImpact:
-    """A rigid body strikes a viscoelastic one straight on.
+    """Normal impact of a rigid body on a viscoelastic one.
 
     Parameters
     ----------

@@ -56,9 +56,10 @@ BLOCK_UNDER_FORCES = 256
 
 @value
 class ViscoelasticIndentation:
-    """A body pressed into a viscoelastic one.
+    """A body pressed into a viscoelastic one along a path of loads.
 
-    Before the first point of the path nothing has happened; a first depth or force that is not zero comes suddenly.
+    The load history begins with the first point of the path. A first depth or force that is not zero is applied in one
+    step.
 
     Parameters
     ----------

@@ -35,7 +35,7 @@ __all__ = ["CreepTest", "RelaxationTest", "StepSolution"]
 
 @value
 class CreepTest:
-    """A force is put on at once, and stays.
+    """A constant force, applied in one step.
 
     Parameters
     ----------
@@ -102,7 +102,7 @@ class CreepTest:
 
 @value
 class RelaxationTest:
-    """The body is pressed to a depth at once, and held.
+    """A constant depth, applied in one step.
 
     Parameters
     ----------

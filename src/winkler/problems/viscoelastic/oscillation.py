@@ -30,7 +30,7 @@ __all__ = ["HarmonicIndentation", "HarmonicSolution"]
 
 @value
 class HarmonicIndentation(PerLoad[Q]):
-    """A body pressed in, at rest until all has relaxed, then moved up and down a little.
+    """A small normal oscillation about a relaxed indentation.
 
     Parameters
     ----------

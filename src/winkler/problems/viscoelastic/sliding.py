@@ -64,10 +64,10 @@ __all__ = ["SlidingLine", "SlidingResistance", "SlidingResistanceSolution"]
 
 @value
 class SlidingResistance(PerLoad[Q]):
-    """A rigid body that slides without friction, or rolls, over a viscoelastic one at a steady speed.
+    """A rigid body that slides without friction, or rolls, over a viscoelastic body at a steady speed.
 
-    A ball that rolls freely leaves the same trace as one that slides, and meets the same resistance at its axle; what
-    else resists rolling (slip, adhesion) is not in it.
+    A freely rolling ball leaves the same trace as a sliding one, and has the same resistance at its axle. Other
+    contributions to rolling resistance (slip, adhesion) are not included.
 
     Parameters
     ----------

@@ -59,7 +59,7 @@ def _one_positive(load: Force) -> bool:
 
 @value
 class EllipticWear:
-    """Two bodies of two curvatures each, one of which slides on the other, while little is worn.
+    """Initial sliding wear of two bodies with two curvatures each.
 
     Parameters
     ----------

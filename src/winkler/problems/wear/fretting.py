@@ -51,7 +51,7 @@ __all__ = ["FrettingSolution", "FrettingWear"]
 
 @value
 class FrettingWear(AtGoals):
-    """A contact pushed to and fro along the surface, that wears.
+    """Wear of a contact under oscillating tangential displacement.
 
     Parameters
     ----------

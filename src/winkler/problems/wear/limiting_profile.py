@@ -56,7 +56,7 @@ ONE_SHIFT = Condition(
 
 @value
 class LimitingProfile:
-    """The shape and the contact in which fretting wear ends, under a steady depth and a steady amplitude.
+    """The final profile and contact of fretting wear at constant depth and amplitude.
 
     Parameters
     ----------

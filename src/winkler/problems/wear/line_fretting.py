@@ -52,7 +52,7 @@ LONGER = 1.1
 
 @value
 class LineFrettingWear(AtGoals):
-    """A line contact that is sheared to and fro, and wears.
+    """Wear of a line contact under oscillating tangential displacement.
 
     Parameters
     ----------

@@ -50,7 +50,7 @@ SAMPLES = 513
 
 @value
 class LineLimitingProfile:
-    """The shape and the contact in which fretting wear of a line contact ends.
+    """The final profile and contact of fretting wear in a line contact.
 
     Parameters
     ----------

@@ -42,7 +42,7 @@ ONE_BODY = Advice("the law of the body that stays in contact; where both wear in
 
 @value
 class LineSlidingWear(OfDistance):
-    """A cylindrical body that slides across its line under a steady load, and wears.
+    """Wear of a cylindrical body that slides perpendicular to its axis under a steady load.
 
     Parameters
     ----------

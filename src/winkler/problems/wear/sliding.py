@@ -38,7 +38,7 @@ ONE_BODY = Advice("the law of the body that stays in contact; where both wear, u
 
 @value
 class SlidingWear(OfDistance):
-    """A body that slides under a steady load, and wears.
+    """Wear of a body that slides under a steady load.
 
     Parameters
     ----------

@@ -24,7 +24,7 @@ DIRECTIONS = 180
 
 @value
 class CorrelationLengths:
-    """Over which distances the heights of a map are correlated (ISO 25178-2).
+    """Autocorrelation lengths of a height map (ISO 25178-2).
 
     Parameters
     ----------

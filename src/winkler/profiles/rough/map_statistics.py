@@ -21,7 +21,7 @@ __all__ = ["MapStatistics", "bearing_heights", "correlation_length", "map_statis
 
 @value
 class MapStatistics:
-    """Numbers by which surfaces are compared (ISO 25178-2).
+    """Surface texture parameters of a height map (ISO 25178-2).
 
     Parameters
     ----------

@@ -22,7 +22,7 @@ MOST_PIXELS_PER_SIDE = 2**13
 
 @value
 class RandomTopography(Topography):
-    """A height map with a given spectrum and phases by chance.
+    """A height map with a given spectrum and random phases.
 
     Parameters
     ----------

@@ -12,7 +12,7 @@ __all__ = ["Spikes"]
 
 @value
 class Spikes:
-    """Where heights stand out of their surroundings; its text states how many and how far.
+    """Heights that deviate strongly from their surroundings; as text their number and size.
 
     Parameters
     ----------
