@@ -107,7 +107,7 @@ def export(
     name : str, optional
         With which functions and types begin; a word in small letters that is none of a target's language.
     tolerance : float, optional
-        Error of a normal force that is given by a table, over the greatest force.
+        Error of a normal force that is given by a table, over the maximum force.
     count : int, optional
         How many springs a Tangential has; `Contacts` state it themselves.
     precision : str, optional

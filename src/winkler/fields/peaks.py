@@ -31,7 +31,7 @@ LEAST_DEPTH_RATIO = 1e-3
 
 @value
 class PeakStress:
-    """The greatest equivalent stress below a contact, and its place.
+    """The maximum equivalent stress below a contact, and its place.
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ class PeakStress:
 
 @value
 class PlacedStress:
-    """The greatest equivalent stress in a body under a sheared contact, and its place.
+    """The maximum equivalent stress in a body under a sheared contact, and its place.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ def peak_stress(solution: Dragged | SelfRestoring | TorsionState, *, below: bool
 def peak_stress(
     solution: Restorable | Dragged | SelfRestoring | TorsionState, *, below: bool = True
 ) -> PeakStress | PlacedStress:
-    """Return the greatest von Mises stress and its place; in a layered body layer by layer, on both sides of each face.
+    """Return the maximum von Mises stress and its place; in a layered body layer by layer, on both sides of each face.
 
     Parameters
     ----------

@@ -147,7 +147,7 @@ class CreepFit(_RelaxingFit):
     Parameters
     ----------
     curve : ForceCurve
-        Positions are fitted under its forces; during approach, up to a tenth of the greatest force, forces are fitted.
+        Positions are fitted under its forces; during approach, up to a tenth of the maximum force, forces are fitted.
     model : ViscoelasticIndentation
         With the fitted numbers, under the forces of the contact.
     noise : float

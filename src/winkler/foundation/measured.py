@@ -110,7 +110,7 @@ class MeasuredBed:
     Parameters
     ----------
     radii : array_like, (n,)
-        Contact radii a [m], rising; for a contact that is no disc, those of the disc of equal stiffness.
+        Contact radii a [m], rising; for a contact that is not a disc, those of the disc of equal stiffness.
     stiffnesses : array_like, (n,)
         k = dF/dd [N/m] at these radii, rising.
     depths : array_like, (n,)
@@ -189,7 +189,7 @@ class MeasuredBed:
 
     @property
     def reach(self) -> float:
-        """The greatest measured radius [m]."""
+        """The maximum measured radius [m]."""
         return float(self.radii[-1])
 
     rim = math.inf

@@ -92,12 +92,12 @@ class BodyFields:
 
     @property
     def principal(self) -> Array:
-        """Principal stresses [Pa], greatest first, along a last axis of length 3; nan where they are infinite."""
+        """Principal stresses [Pa], largest first, along a last axis of length 3; nan where they are infinite."""
         return principal_of_tensor(*self._stresses)
 
     @property
     def max_shear(self) -> Array:
-        """Greatest shear stress [Pa], half the spread of the principal stresses; nan where they are infinite."""
+        """Maximum shear stress [Pa], half the spread of the principal stresses; nan where they are infinite."""
         stresses = self.principal
         return np.asarray(0.5 * (stresses[..., 0] - stresses[..., 2]))
 

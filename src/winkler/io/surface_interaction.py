@@ -68,8 +68,8 @@ def write_surface_interaction(
         What the bodies conduct: adds ``*GAP CONDUCTANCE`` over the pressure, of the spots alone.  Thick conductors,
         without platings or a resistance between them.
     law : Coulomb, optional
-        Adds ``*FRICTION``, with the tangential stiffness of the sticking joint under the greatest load: the stick
-        slope of CalculiX, the elastic slip of Abaqus.
+        Adds ``*FRICTION``, with the tangential stiffness of the sticking joint under the maximum load: the stick slope
+        of CalculiX, the elastic slip of Abaqus.
     length_unit : {"m", "mm"}, optional
         With "mm" pressures are in MPa and conductances in mW/(mm\ :sup:`2` K).
 

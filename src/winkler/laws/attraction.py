@@ -52,7 +52,7 @@ class ExponentialAttraction:
 
     @property
     def strength(self) -> float:
-        """The greatest attraction, work / range [Pa]."""
+        """The maximum attraction, work / range [Pa]."""
         return self.work / self.range
 
 
@@ -94,5 +94,5 @@ class LennardJones:
 
     @property
     def strength(self) -> float:
-        """The greatest attraction, 16 w / (9 sqrt(3) z_0) [Pa], at the gap of 3^(1/6) z_0."""
+        """The maximum attraction, 16 w / (9 sqrt(3) z_0) [Pa], at the gap of 3^(1/6) z_0."""
         return 16.0 / (9.0 * math.sqrt(3.0)) * self.work / self.spacing

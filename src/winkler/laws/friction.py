@@ -24,7 +24,7 @@ class Coulomb:
     Parameters
     ----------
     coefficient : float
-        Friction coefficient mu [-], not negative; infinite if nothing ever slides.
+        Friction coefficient mu [-], not negative; infinite if slip is excluded.
 
     Raises
     ------

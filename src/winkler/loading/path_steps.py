@@ -95,7 +95,7 @@ class Ramp:
     lateral : Shift, ShearForce, Angle, Torque or Unchanged, optional
         Where to, one number, in the plane two.
     duration : float, optional
-        How long it takes [s], zero or more.
+        Duration [s], zero or more.
     count : int, optional
         Into how many equal parts the path is divided; at least one.
 
@@ -133,7 +133,7 @@ class Hold:
     duration : float, optional
         How long [s], zero or more.
     count : int, optional
-        At how many points of time, where bodies that relax are to be watched.
+        At how many points of time, where viscoelastic bodies are to be watched.
 
     Raises
     ------

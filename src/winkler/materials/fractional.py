@@ -136,7 +136,7 @@ class PowerLawSolid(_FractionalSolid):
     shortest, longest : float
         Span of times within which it holds [s].
     tolerance : float, optional
-        Greatest relative error of the series there.
+        Maximum relative error of the series there.
     poisson : float, optional
         nu [-].
 
@@ -194,7 +194,7 @@ class FractionalZener(_FractionalSolid):
     shortest, longest : float
         Span of times within which it holds [s].
     tolerance : float, optional
-        Greatest relative error of the series there.
+        Maximum relative error of the series there.
     poisson : float, optional
         nu [-].
 

@@ -49,7 +49,7 @@ class Designed(Shape):
     slopes : ndarray, (n, m)
         Chebyshev coefficients of f' [-] on each panel, in its own variable from -1 to 1.
     tolerance : float
-        How far, relative to the greatest value, the body misses what was prescribed.
+        How far, relative to the maximum value, the body misses what was prescribed.
 
     Raises
     ------

@@ -55,7 +55,7 @@ class ContactEllipse:
 
 @value
 class CurvedBodies:
-    """Two bodies of two curvatures each, by the relative radii of curvature along x and y.
+    """Two bodies with two curvatures each each, by the relative radii of curvature along x and y.
 
     Parameters
     ----------

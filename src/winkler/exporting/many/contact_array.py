@@ -57,7 +57,7 @@ class ContactArray(ContactStore):
     precision : str, optional
         Of the springs that a contact remembers: "double", or "single" in half the memory; all else is double.
     tolerance : float, optional
-        Error of a normal force that is given by a table, over the greatest force.
+        Error of a normal force that is given by a table, over the maximum force.
     count : int, optional
         How many springs a `Tangential` and a `ViscoelasticIndentation` have.
 
@@ -117,7 +117,7 @@ class ContactArray(ContactStore):
         roll : ndarray, (n, 2) or (2,), optional
             By which they roll over each other [rad]; of `Contacts`.
         duration : float or ndarray, (n,), optional
-            Of the step [s], zero or at least 1e-60; needed by bodies that relax.  Zero is a sudden step; solids of
+            Of the step [s], zero or at least 1e-60; needed by viscoelastic bodies.  Zero is a sudden step; solids of
             springs and dashpots side by side, which no force moves suddenly, answer it with the force at rest.
 
         Raises

@@ -328,7 +328,7 @@ class MeasuredConstrictionSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """What the numbers rest on, and what speaks against them; then what the contact itself rests on."""
+        """The assumptions behind the numbers, and doubts about them; then what the contact itself rests on."""
         notes = [self._numbers()]
         turned = self.turned
         if turned is not None and abs(turned.value) > SURE * turned.error:

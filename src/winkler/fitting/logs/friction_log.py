@@ -79,7 +79,7 @@ class FrictionLog:
 
     @functools.cached_property
     def cycles(self) -> tuple[Cycle, ...]:
-        """Of each whole cycle the points of least, greatest, and again least displacement."""
+        """Of each whole cycle the points of minimum, maximum, and again minimum displacement."""
         turns = _turns(self.displacement)
         lows = [place for place, is_low in turns if is_low]
         highs = [place for place, is_low in turns if not is_low]

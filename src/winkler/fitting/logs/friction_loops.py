@@ -362,7 +362,7 @@ class FrictionLoopsSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """What the numbers rest on, and what speaks against them; then what the contact itself rests on."""
+        """The assumptions behind the numbers, and doubts about them; then what the contact itself rests on."""
         problem = self.problem
         law, swing = Coulomb(self.coefficient), Shift(0.5 * max(self.contact_stroke, 0.0))
         return (*self._notes(), *FrictionDamping(problem.bed, law, problem.normal, swing).solve().validity)

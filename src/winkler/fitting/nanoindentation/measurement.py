@@ -391,7 +391,7 @@ class NanoindentationSolution:
 
     @property
     def deepest(self) -> int:
-        """Index of the unloading from the greatest force, the last of equal ones."""
+        """Index of the unloading from the maximum force, the last of equal ones."""
         top = float(self.force.max())
         return int(np.flatnonzero(self.force >= 0.99 * top)[-1])
 
@@ -407,12 +407,12 @@ class NanoindentationSolution:
 
     @property
     def own_young_error(self) -> float:
-        """Standard uncertainty [Pa] of Young's modulus at the greatest force by sources of this indentation alone."""
+        """Standard uncertainty [Pa] of Young's modulus at the maximum force by sources of this indentation alone."""
         return self._own(self.young_shares)
 
     @property
     def own_hardness_error(self) -> float:
-        """Standard uncertainty [Pa] of the hardness at the greatest force by sources of this indentation alone."""
+        """Standard uncertainty [Pa] of the hardness at the maximum force by sources of this indentation alone."""
         return self._own(self.hardness_shares)
 
     def _own(self, shares: Array) -> float:

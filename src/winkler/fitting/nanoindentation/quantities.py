@@ -91,7 +91,7 @@ UNITS = {
 
 
 def indentation_quantities(solution: NanoindentationSolution) -> IndentationQuantities:
-    """Return the quantities of ISO 14577-1 at the greatest force of an evaluated indentation.
+    """Return the quantities of ISO 14577-1 at the maximum force of an evaluated indentation.
 
     Parameters
     ----------

@@ -85,7 +85,7 @@ class RepeatedMean:
 
 
 def repeated_mean(solutions: Sequence[NanoindentationSolution], name: str = "young") -> RepeatedMean:
-    """Return the mean at the greatest force of repeated indentations with one indenter.
+    """Return the mean at the maximum force of repeated indentations with one indenter.
 
     Parameters
     ----------

@@ -74,7 +74,7 @@ class ThermalDrift:
 
 
 def found_drift(curve: ForceCurve, zero_point: ZeroPoint | tuple[()] = ()) -> ThermalDrift:
-    """Return the drift during the longest hold at less than a quarter of the greatest force, after an unloading or
+    """Return the drift during the longest hold at less than a quarter of the maximum force, after an unloading or
     first, if the tip is in contact there.
 
     Parameters

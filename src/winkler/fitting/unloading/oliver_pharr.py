@@ -58,7 +58,7 @@ class OliverPharr:
     contact_point : float, optional
         Position of first touch [m]; zero unless given.
     upper, lower : float, optional
-        Parts of the greatest force between which the unloading is fitted [-].
+        Parts of the maximum force between which the unloading is fitted [-].
     shape_factor : float, optional
         beta [-], 1 for bodies of revolution; about 1.034 is often taken for a Berkovich pyramid.
 

@@ -99,7 +99,7 @@ class RelaxingInProportion(RelaxingLayers):
 
     @property
     def thickness(self) -> float:
-        """Depth below which nothing changes any more [m], of layers and gradings."""
+        """Depth below which nothing changes any more [m], of layers and graded bodies."""
         return float(cast(PlaneMedium, self.medium).thickness)
 
     @property

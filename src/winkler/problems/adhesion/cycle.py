@@ -154,8 +154,8 @@ class AdhesiveCycle:
         Raises
         ------
         OutsideValidity
-            If the contact grows beyond what is known of the profile, a dead load tears it off, or it is no disc: at
-            that step, the states before it have been yielded.
+            If the contact grows beyond the known range of the profile, a dead load tears it off, or it is not a disc:
+            at that step, the states before it have been yielded.
         NotConverged
             If the profile is too rough.
         """

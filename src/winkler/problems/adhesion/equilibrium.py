@@ -42,7 +42,7 @@ class Equilibrium:
     bed : Bed
     law : ShortRange, Dugdale or DerjaguinMullerToporov
     reach : float
-        The greatest contact radius [m]; not beyond what is known of the profile.
+        The maximum contact radius [m]; not beyond the known range of the profile.
     machine_stiffness : float, optional
         Machine stiffness that decides stability [N/m]: 0 for a dead load, inf for fixed grips (the default).
     count : int, optional

@@ -124,7 +124,7 @@ class AdhesiveShear(PerLoad[Q]):
             )
 
     def solve(self) -> AdhesiveShearSolution[Q]:
-        """Return contact radius, shift and shear force, and the greatest that can be borne.
+        """Return contact radius, shift and shear force, and the maximum that can be borne.
 
         Raises
         ------

@@ -89,7 +89,7 @@ class Constriction(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If the load is tensile, leads beyond the reach of the profile or opens a contact that is no disc; if the
+            If the load is tensile, leads beyond the reach of the profile or opens a contact that is not a disc; if the
             contact is nearly as wide as a rod; if there is a film or a plating and the area of the contact is unknown.
         """
         contact, parts = conducting_disc(self.contact, self.conductors)

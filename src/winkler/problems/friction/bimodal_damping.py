@@ -82,10 +82,10 @@ class BimodalDamping(PerLoad[Q]):
     Parameters
     ----------
     bed : Bed
-        The springs, on a homogeneous or power-law medium, bonded layers or a grading in depth; without slip on any
+        The springs, on a homogeneous or power-law medium, bonded layers or a body graded in depth; without slip on any
         whose k_x is known.
     law : Coulomb
-        Friction; an infinite coefficient if nothing slides (relaxation damping), zero is refused.
+        Friction; an infinite coefficient if slip is excluded (relaxation damping), zero is refused.
     depth : float
         Mean depth d_0 [m].
     depth_amplitude : float
@@ -101,20 +101,20 @@ class BimodalDamping(PerLoad[Q]):
         How slip is followed: AUTO, EXACT (springs of one gap as one) or RINGS; by default springs where they are alike,
         and rings elsewhere.
     frequency : float, optional
-        Of the closed cycle [Hz], of bodies that relax; elastic ones take none.
+        Of the closed cycle [Hz], of viscoelastic bodies; elastic ones take none.
     count : int, optional
-        How many springs of bodies that relax; the error falls with its square, where nothing slides with itself.
+        Number of springs of viscoelastic bodies; the error falls with its square, without slip linearly.
     tolerance : float, optional
-        On bodies that relax the error of a step, as of `Tangential`.
+        On viscoelastic bodies the error of a step, as of `Tangential`.
 
     Raises
     ------
     InvalidInput
-        If one of them is out of bounds, the shapes do not go together, or the method is another one.  If bodies relax
-        and there is no frequency, or they flow for ever, have a dashpot alongside, or are layers that relax each by
-        its own law; if they do not relax and there is a frequency.
+        If one of them is out of bounds, the shapes do not go together, or the method is another one.  If bodies are
+        viscoelastic and there is no frequency, or they flow for ever, have a dashpot alongside, or are layers with
+        separate relaxation functions; if they are elastic and there is a frequency.
     OutsideValidity
-        If rings are asked for on a medium whose rings are not known, or a contact that is no disc.
+        If rings are asked for on a medium whose rings are not known, or a contact that is not a disc.
 
     References
     ----------
@@ -190,11 +190,11 @@ class BimodalDamping(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If the bodies never touch, the profile ends before the greatest depth, the springs are neither alike nor
-            rings of a coating, or not alike while the method is exact, or a closed cycle on a coating holds more than
-            50 oscillations.
+            If the bodies never touch, the profile ends before the maximum depth, the springs have different stiffness
+            ratios and the medium is not a coating, or not alike while the method is exact, or a closed cycle on a
+            coating holds more than 50 oscillations.
         NotConverged
-            If the profile is too rough, or cycles of bodies that relax do not repeat.
+            If the profile is too rough, or cycles of viscoelastic bodies do not repeat.
         """
         if self.relaxes:
             return self._relaxing()
@@ -320,7 +320,7 @@ class BimodalDampingSolution(DampingSolution[Q]):
     problem : BimodalDamping
         The problem that was solved.
     pressing_loss : float
-        What of the loss the depth alone costs in bodies that relax [J]; it is lost without a shift, too.
+        What of the loss the depth alone costs in viscoelastic bodies [J]; it is lost without a shift, too.
     """
 
     __words__ = words(pressing_loss=("W_d", "J", "what of the loss of a cycle the depth alone costs"))

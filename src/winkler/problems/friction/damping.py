@@ -74,23 +74,23 @@ class FrictionDamping(PerLoad[Q]):
         How far to each side the contact is pushed, half of the whole stroke; may be an array, the results then have
         its shape.  Zero or more.
     method : Method, optional
-        How slip is followed.  By default rings on bonded layers and gradings, as far as an outer ring slides first, and
-        springs elsewhere.
+        How slip is followed.  By default rings on bonded layers and graded bodies, as far as an outer ring slides
+        first, and springs elsewhere.
     frequency : float, optional
-        Of the oscillation [Hz], of bodies that relax; elastic ones take none.
+        Of the oscillation [Hz], of viscoelastic bodies; elastic ones take none.
     count : int, optional
-        How many springs of bodies that relax; the error falls with its square, where nothing slides with itself.
+        Number of springs of viscoelastic bodies; the error falls with its square, without slip linearly.
     tolerance : float, optional
-        On bodies that relax the error of a step, as of `Tangential`.
+        On viscoelastic bodies the error of a step, as of `Tangential`.
 
     Raises
     ------
     InvalidInput
         If the law is not Coulomb's, its coefficient not positive and finite, the normal load an array, or an amplitude
-        negative.  If bodies relax and there is no frequency, or they flow for ever, have a dashpot alongside, or are
-        layers that relax each by its own law; if they do not relax and there is a frequency.
+        negative.  If bodies are viscoelastic and there is no frequency, or they flow for ever, have a dashpot
+        alongside, or are layers with separate relaxation functions; if they are elastic and there is a frequency.
     OutsideValidity
-        If rings are asked for on another medium, or a contact that is no disc.
+        If rings are asked for on another medium, or a contact that is not a disc.
 
     References
     ----------
@@ -157,7 +157,7 @@ class FrictionDamping(PerLoad[Q]):
             do not touch.  If the method is exact, and the stiffnesses of the springs have no common ratio; if it is
             rings, and none slides before all do.
         NotConverged
-            If the profile is too rough, or cycles of bodies that relax do not repeat.
+            If the profile is too rough, or cycles of viscoelastic bodies do not repeat.
         """
         if self.relaxes:
             return self._relaxing()
@@ -179,7 +179,7 @@ class FrictionDamping(PerLoad[Q]):
         return FrictionDampingSolution(self, contact, 0.0, *columns)
 
     def cycle(self, amplitude: float) -> SteadyCycle:
-        """Return the cycle of bodies that relax at one amplitude [m] or [N]."""
+        """Return the cycle of viscoelastic bodies at one amplitude [m] or [N]."""
         depth, lateral = depth_at_rest(self.bed, self.normal), type(self.amplitude)
         swing = Swing(1.0 / self.frequency, depth, 0.0, lateral, amplitude, -0.5 * math.pi)
         return steady_cycle("FrictionDamping", self.bed, self.law, swing, self.count, self.tolerance)
@@ -319,10 +319,10 @@ class FrictionDampingSolution(DampingSolution[Q]):
 
     @property
     def loss_factor(self) -> Q:
-        """W / (pi F_x U) [-]: the loss per radian over the greatest energy of a spring with the secant stiffness.
+        """W / (pi F_x U) [-]: the loss per radian over the maximum energy of a spring with the secant stiffness.
 
-        Zero at no amplitude, 4/pi for sliding throughout; twice the damping ratio.  Of bodies that relax, without slip,
-        the sine of the loss angle.
+        Zero at no amplitude, 4/pi for sliding throughout; twice the damping ratio.  Of viscoelastic bodies, without
+        slip, the sine of the loss angle.
         """
         return loss_factor(self.loss_per_cycle, self.shift, self.shear_force)
 

@@ -100,7 +100,7 @@ class RelaxationDamper:
         Raises
         ------
         OutsideValidity
-            If the bodies never touch, or the profile ends before the greatest depth.
+            If the bodies never touch, or the profile ends before the maximum depth.
         NotConverged
             If the profile is too rough.
         """
@@ -137,7 +137,7 @@ class RelaxationDamperSolution:
     problem : RelaxationDamper
         The problem that was solved.
     contact : IndentationSolution
-        The contact at its greatest depth.
+        The contact at its maximum depth.
     damping : float
         Mean shear force over speed [N s/m].
     shear_stiffness : float

@@ -72,14 +72,14 @@ class Tangential:
     path : Path
         Depth or normal force, and shift or shear force, over time.
     method : Method, optional
-        How slip is followed.  By default rings on bonded layers and gradings, springs by gap on homogeneous and
-        power-law media; in the plane, under other laws than Coulomb's, and on bodies that relax, springs one by one.
+        How slip is followed.  By default rings on bonded layers and graded bodies, springs by gap on homogeneous and
+        power-law media; in the plane, under other laws than Coulomb's, and on viscoelastic bodies, springs one by one.
     count : int, optional
-        How many springs, where they are followed one by one; the error falls with its square, on bodies that relax with
-        itself where the load does not vanish at the edge.
+        How many springs, where they are followed one by one; the error falls with its square, on viscoelastic bodies
+        with itself where the load does not vanish at the edge.
     tolerance : float, optional
-        On bodies that relax the error of a step: of the shear force over what friction can bear, of the energy lost to
-        friction over that force times the greatest shift, and of depth and shift under forces over the greatest ones.
+        On viscoelastic bodies the error of a step: of the shear force over what friction can bear, of the energy lost
+        to friction over that force times the maximum shift, and of depth and shift under forces over the maximum ones.
         With a dashpot alongside, under a normal force and a shift, the work counts in place of the shear force.
 
     Raises
@@ -89,7 +89,7 @@ class Tangential:
         nor paths in the plane.  If bodies relax by more than one function of time, their law is not Coulomb's, or their
         path leaves its line.
     OutsideValidity
-        If rings are asked for on another medium, or a contact that is no disc.
+        If rings are asked for on another medium, or a contact that is not a disc.
 
     References
     ----------
@@ -163,7 +163,7 @@ class Tangential:
 
     @property
     def by_rings(self) -> bool:
-        """Whether rings are followed: those of layers and gradings, unless another method is named."""
+        """Whether rings are followed: those of layers and graded bodies, unless another method is named."""
         if self.method is Method.AUTO:
             return self._coulomb_line and not self.relaxes and layers_of_rings(self.bed) is not None
         return self.method is Method.RINGS

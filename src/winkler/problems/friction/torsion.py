@@ -65,8 +65,8 @@ class Torsion:
     count : int, optional
         How many springs, where bodies relax; the error falls with its square.
     tolerance : float, optional
-        On bodies that relax the error of a step: of the torque over what friction can bear, of the energy lost to
-        friction over that torque times the greatest angle, and of depth and angle under forces over the greatest ones.
+        On viscoelastic bodies the error of a step: of the torque over what friction can bear, of the energy lost to
+        friction over that torque times the maximum angle, and of depth and angle under forces over the maximum ones.
 
     Raises
     ------
@@ -141,8 +141,8 @@ class Torsion:
         Raises
         ------
         OutsideValidity
-            If a torque exceeds what friction bears: at that step, the states before it have been yielded.  If the
-            contact grows beyond what is known of the profile, or is no disc.
+            If a torque exceeds the friction limit: at that step, the states before it have been yielded.  If the
+            contact grows beyond the known range of the profile, or is not a disc.
         NotConverged
             If the profile is too rough, or a step too long for the angle or the loss to settle.
         """

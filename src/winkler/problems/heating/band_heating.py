@@ -52,8 +52,8 @@ class BandHeating(StripHeating[Q]):
     Raises
     ------
     InvalidInput
-        If a body that takes heat rests against the band, a conductor is none, a number is not finite, or what is given
-        does not broadcast.
+        If a body that takes heat rests against the band, a conductor has the wrong type, a number is not finite, or
+        what is given does not broadcast.
 
     References
     ----------
@@ -125,7 +125,7 @@ class BandHeatingSolution(StripTemperatures[Q]):
     first_peclet, second_peclet : float or ndarray
         Pe = V a / (2 kappa) of either body [-]; of a plated one with the least diffusivity.
     first_max_temperature, second_max_temperature : float or ndarray
-        Greatest temperature of either surface [K].
+        Maximum temperature of either surface [K].
     first_mean_temperature, second_mean_temperature : float or ndarray
         Mean temperature of either surface over the band [K].
     """

@@ -250,7 +250,7 @@ class FrettingHeatSolution:
 
     @property
     def max_temperature(self) -> float:
-        """Greatest mean temperature [K]."""
+        """Maximum mean temperature [K]."""
         return self.source.peak(0.0).height / self._conductivity
 
     @property

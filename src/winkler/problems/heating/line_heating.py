@@ -56,10 +56,10 @@ class LineFrictionHeating(StripHeating[Q]):
     Raises
     ------
     OutsideValidity
-        If a layer slides on what lies below it: friction would drag it away.
+        If a layer slides on the material below: friction would drag it away.
     InvalidInput
-        If a body that takes heat rests against the contact, a conductor is none, a speed is not finite, or speeds and
-        load do not broadcast.
+        If a body that takes heat rests against the contact, a conductor has the wrong type, a speed is not finite, or
+        speeds and load do not broadcast.
 
     References
     ----------
@@ -141,7 +141,7 @@ class LineFrictionHeatingSolution(StripTemperatures[Q]):
     first_peclet, second_peclet : float or ndarray
         Pe = V a / (2 kappa) of either body [-]; of a plated one with the least diffusivity.
     first_max_temperature, second_max_temperature : float or ndarray
-        Greatest temperature of either surface [K].
+        Maximum temperature of either surface [K].
     first_mean_temperature, second_mean_temperature : float or ndarray
         Mean temperature of either surface over the strip [K].
     """

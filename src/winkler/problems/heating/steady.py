@@ -52,8 +52,8 @@ class FrictionHeating(RubbingPlatedBodies, PerLoad[Q]):
     Parameters
     ----------
     contact : Indentation or EllipticIndentation
-        How they are pressed together: a round contact on any medium, or bodies of two curvatures; of many loads, the
-        results have their shape.
+        How they are pressed together: a round contact on any medium, or bodies with two curvatures each; of many loads,
+        the results have their shape.
     law : Coulomb
         Friction, with a finite coefficient.
     conductors : HeatConductors
@@ -71,8 +71,8 @@ class FrictionHeating(RubbingPlatedBodies, PerLoad[Q]):
     Raises
     ------
     InvalidInput
-        If the law is not Coulomb's with a finite coefficient, a conductor or partition is none, a number is not
-        finite, speeds and load do not broadcast, or a second body at rest has a direction.
+        If the law is not Coulomb's with a finite coefficient, a conductor or partition has the wrong type, a number is
+        not finite, speeds and load do not broadcast, or a second body at rest has a direction.
     OutsideValidity
         If the bed of a contact stands for one that is not known to be round.
 
@@ -169,7 +169,7 @@ class FrictionHeating(RubbingPlatedBodies, PerLoad[Q]):
         ------
         OutsideValidity
             If the contact refuses the load, the pressure is not known in the medium, a Peclet number is above 1e8, or
-            bodies of two curvatures on layers or gradings are plated.
+            bodies with two curvatures each on layers or graded bodies are plated.
         NotConverged
             If the profile is too rough, or the pressures of pixels are not found.
         """
@@ -207,7 +207,7 @@ class FrictionHeatingSolution(PerLoad[Q]):
         Pe = V l / (2 kappa) of either body, with half the length l of the contact along its motion [-]; of a plated
         body with the least diffusivity.
     first_max_temperature, second_max_temperature : float or ndarray
-        Greatest temperature of either surface within the contact [K].
+        Maximum temperature of either surface within the contact [K].
     first_mean_temperature, second_mean_temperature : float or ndarray
         Mean temperature of either surface over the contact [K].
     """
@@ -239,14 +239,14 @@ class FrictionHeatingSolution(PerLoad[Q]):
 
     @property
     def flash_temperature(self) -> Q:
-        """The greatest temperature of the contact, that of the warmer body [K]."""
+        """The maximum temperature of the contact, that of the warmer body [K]."""
         return shaped(np.maximum(self.first_max_temperature, self.second_max_temperature))
 
     @property
     def stationary_temperature(self) -> Q:
         """What the rule of slow sliding gives for the flash temperature [K]: both bodies as if at rest.
 
-        mu v E* d / (2 (lambda_1 + lambda_2)) in homogeneous media, if the greatest displacement is d.
+        mu v E* d / (2 (lambda_1 + lambda_2)) in homogeneous media, if the maximum displacement is d.
         """
         return self._estimate(stationary)
 
@@ -260,7 +260,7 @@ class FrictionHeatingSolution(PerLoad[Q]):
 
     @property
     def tian_kennedy_temperature(self) -> Q:
-        """What the fit of Tian and Kennedy gives for a parabolic flux on the same disc [K]; platings are left out.
+        """What the fit of Tian and Kennedy gives for a parabolic flux on the same disc [K]; platings are neglected.
 
         Raises
         ------

@@ -49,7 +49,7 @@ class TransientHeating(RubbingBodies):
     Parameters
     ----------
     contact : Indentation or EllipticIndentation
-        How they are pressed together, by one load: a round contact, or bodies of two curvatures on a homogeneous
+        How they are pressed together, by one load: a round contact, or bodies with two curvatures each on a homogeneous
         medium.
     law : Coulomb
         Friction, with a finite coefficient.
@@ -67,8 +67,8 @@ class TransientHeating(RubbingBodies):
     InvalidInput
         If the load is an array, a time is not positive, the speed negative, or as in `FrictionHeating`.
     OutsideValidity
-        If the bed of a contact stands for one that is not known to be round, or bodies of two curvatures are layered
-        or graded.
+        If the bed of a contact stands for one that is not known to be round, or bodies with two curvatures each are
+        layered or graded.
 
     References
     ----------
@@ -182,7 +182,7 @@ class TransientHeatingSolution:
     first_share : ndarray, (steps,)
         Part of the heat that goes into the first body [-].
     first_max_temperature, second_max_temperature : ndarray, (steps,)
-        Greatest temperature of either surface [K].
+        Maximum temperature of either surface [K].
     first_mean_temperature, second_mean_temperature : ndarray, (steps,)
         Mean temperature of either surface over the contact [K].
     """
@@ -199,7 +199,7 @@ class TransientHeatingSolution:
 
     @property
     def flash_temperature(self) -> Array:
-        """The greatest temperature of the contact, that of the warmer body [K], (steps,)."""
+        """The maximum temperature of the contact, that of the warmer body [K], (steps,)."""
         return np.maximum(self.first_max_temperature, self.second_max_temperature)
 
     @property

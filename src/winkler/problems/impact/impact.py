@@ -56,9 +56,10 @@ class Impact:
     ----------
     bed : Bed
         The springs: Foundation(profile, medium).  With friction and a motion along the surface, of a medium whose
-        springs all have the same ratio of tangential to normal stiffness, of bonded layers or of a grading in depth.
+        springs all have the same ratio of tangential to normal stiffness, of bonded layers or of a body graded in
+        depth.
     law : Coulomb
-        Coulomb(coefficient); infinite if nothing slides, zero without friction.
+        Coulomb(coefficient); infinite if slip is excluded, zero without friction.
     mass : float
         m [kg] of the body; of two free bodies, m1 m2 / (m1 + m2).
     velocity : float
@@ -149,10 +150,10 @@ class Impact:
         Raises
         ------
         OutsideValidity
-            If the body is pressed in beyond what is known of its profile, a contact along the path is no disc, or the
-            springs of an oblique impact are neither alike nor rings of a coating; before the first state.
+            If the body is pressed in beyond the known range of its profile, a contact along the path is not a disc, or
+            the springs of an oblique impact are neither alike nor rings of a coating; before the first state.
         NotConverged
-            If the profile is too rough, or the march comes to a halt.
+            If the profile is too rough, or the time integration stops.
         """
         depth, ratio, table = deepest(self.bed, 0.5 * self.mass * self.velocity**2), 1.0, None
         if self._slides:
@@ -237,7 +238,7 @@ class ImpactSolution(ImpactHistory[Array]):
 
     @property
     def restitution(self) -> float:
-        """Velocity of parting over that of approach [-]; nan if the march was stopped before."""
+        """Rebound velocity over approach velocity [-]; nan if the time integration was stopped before."""
         return -float(self.velocity[-1]) / self.problem.velocity if self.time[-1] == self.duration else math.nan
 
     @property

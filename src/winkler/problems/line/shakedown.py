@@ -81,7 +81,7 @@ class LineShakedown:
     InvalidInput
         If no body has a strength, or the medium is not isotropic.
     OutsideValidity
-        If there is friction on a layer that slides on what lies below it.
+        If there is friction on a layer that slides on the material below.
 
     References
     ----------
@@ -101,7 +101,7 @@ class LineShakedown:
         self.bed.refuse_dragged(self.friction.coefficient)
 
     def solve(self) -> LineShakedownSolution:
-        """Return the greatest load, and where the stress is at its limit then.
+        """Return the maximum load, and where the stress is at its limit then.
 
         Raises
         ------

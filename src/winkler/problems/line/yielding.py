@@ -84,7 +84,7 @@ class LineYieldOnset:
     InvalidInput
         If no body has a strength, or the medium is not isotropic.
     OutsideValidity
-        If there is friction on a layer that slides on what lies below it.
+        If there is friction on a layer that slides on the material below.
 
     References
     ----------

@@ -74,7 +74,7 @@ class LineTangential:
         If the method is another one.  If bodies relax, each by a law of its own, or along a path without time.  If the
         body, or what carries its layers, is rigid and there is a bulk stress.
     OutsideValidity
-        If a layer slides on what lies below it.
+        If a layer slides on the material below.
 
     References
     ----------

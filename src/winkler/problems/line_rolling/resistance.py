@@ -179,7 +179,7 @@ class LineRollingResistanceSolution(PerLoad[Q]):
 
     @property
     def peak_pressure(self) -> Q:
-        """The greatest pressure [Pa]."""
+        """The maximum pressure [Pa]."""
         pairs = zip(np.ravel(self.half_width), np.ravel(self.speed), strict=True)
         peaks = [
             passage(self.problem.bed, HalfWidth(float(width)), float(speed)).peak_pressure for width, speed in pairs

@@ -105,7 +105,7 @@ class LineRollingStart:
     InvalidInput
         If the profile is not round, a number is out of range, a creepage has no reference, or a force has one.
     OutsideValidity
-        If a creepage is lateral or a spin; if a layer slides on what lies below it, or the bodies relax.
+        If a creepage is lateral or a spin; if a layer slides on the material below, or the bodies are viscoelastic.
 
     References
     ----------

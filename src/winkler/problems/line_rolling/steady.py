@@ -101,8 +101,8 @@ class LineRolling(PerLoad[Q]):
     InvalidInput
         If the profile is not round, friction not Coulomb's with a positive, finite coefficient, or the load an array.
     OutsideValidity
-        If a creepage is lateral or a spin: plane strain has none; if a layer slides on what lies below it, or the
-        bodies relax.
+        If a creepage is lateral or a spin: plane strain has none; if a layer slides on the material below, or the
+        bodies are viscoelastic.
 
     References
     ----------

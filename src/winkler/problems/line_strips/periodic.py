@@ -206,7 +206,7 @@ class PeriodicSolution(Stressed, PerLoad[Q]):
 
     @property
     def peak_pressure(self) -> Q:
-        """The greatest pressure [Pa]; infinite at a sharp crest or kink, zero without contact."""
+        """The maximum pressure [Pa]; infinite at a sharp crest or kink, zero without contact."""
         strips = [self._strip_of(float(p), float(a)) for p, a in self._pairs()]
         return shaped(np.array([periodic_peak(self._bed, strip) for strip in strips]), np.shape(self.half_width))
 

@@ -163,12 +163,12 @@ class LineProfileSolution(PerLoad[Q]):
     contact_length : float or ndarray
         Sum of their widths [m].
     peak_pressure : float or ndarray
-        The greatest pressure [Pa], that of an element where strips were not refined; infinite under a sharp crest or
-        at a wall.
+        The maximum pressure [Pa], that of an element where strips were not refined; infinite under a sharp crest or at
+        a wall.
     strip_error : float or ndarray
-        Of refined strips the greatest of tension, overlap and what is left of the equations, each over its scale; of
-        elements the greatest relative change of contact length and greatest pressure from half as many, or an element
-        of every strip over all that touch, if that is greater.
+        Of refined strips the largest of tension, overlap and what is left of the equations, each over its scale; of
+        elements the maximum relative change of contact length and maximum pressure from half as many, or an element of
+        every strip over all that touch, if that is greater.
     """
 
     __words__ = words(tilt=(r"\theta", "rad", "tilt of the body"), edges=("x", "m", "edges of each strip"))
@@ -193,7 +193,7 @@ class LineProfileSolution(PerLoad[Q]):
 
     @property
     def refined(self) -> bool:
-        """Whether the strips under the greatest load were refined; otherwise they are elements."""
+        """Whether the strips under the maximum load were refined; otherwise they are elements."""
         found = self.problem._found(float(np.max(self.force_per_length)))
         return found is not None and found.refined
 
@@ -209,7 +209,7 @@ class LineProfileSolution(PerLoad[Q]):
 
     @property
     def strip_peaks(self) -> Array:
-        """The greatest pressure of each strip under one load [Pa], (n,)."""
+        """The maximum pressure of each strip under one load [Pa], (n,)."""
         return found.peaks if (found := self._one("strip_peaks")) else np.zeros(0)
 
     def pressure(self, x: ArrayLike) -> Array:

@@ -71,10 +71,10 @@ class LineViscoelasticIndentation:
     path : LineForcePath
         Force per length over time.
     count : int, optional
-        How many springs, or cells on layers that relax each by a law of its own; the error falls with its square.
+        How many springs, or cells on layers with separate relaxation functions; the error falls with its square.
     tolerance : float, optional
-        Error of the load that crept between two moments, over its greatest value.  On layers that relax each by a law
-        of its own that of the pressure in a step, and 0.1 / count^2 where that is more.
+        Error of the load that crept between two moments, over its maximum value.  On layers with separate relaxation
+        functions that of the pressure in a step, and 0.1 / count^2 where that is more.
 
     Raises
     ------
@@ -144,7 +144,7 @@ class LineViscoelasticIndentation:
         Raises
         ------
         OutsideValidity
-            If the bodies are never pressed, the load leads beyond what is known of the profile, the contact is no
+            If the bodies are never pressed, the load leads beyond the known range of the profile, the contact is no
             single strip, or the bodies touch beside a dent.
         """
         medium: Any = self.bed.medium
@@ -288,7 +288,7 @@ class LineViscoelasticSolution(OfPath[LineViscoelasticState]):
         Hereditary integral of creep and force per length [m]: while the strip widens, w(a).  The creep is that of the
         uppermost layer where each relaxes by a law of its own.
     mean_pressure, peak_pressure : ndarray
-        P / (2 a) and the greatest pressure [Pa]; the latter infinite at a sharp tip, kink or rim.
+        P / (2 a) and the maximum pressure [Pa]; the latter infinite at a sharp tip, kink or rim.
     states : tuple of LineViscoelasticState
         The states themselves, which have pressures and the approach.
     """

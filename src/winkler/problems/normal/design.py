@@ -51,7 +51,7 @@ def design_profile(depth: ArrayLike, force: ArrayLike, medium: Medium) -> Design
     """Return the body of revolution whose indentation follows a prescribed force curve.
 
     A measured curve may be given as well: a convex one is fitted through the points, and how far it misses them (root
-    mean square, relative to the greatest force) is the `tolerance` of the body.
+    mean square, relative to the maximum force) is the `tolerance` of the body.
 
     Parameters
     ----------

@@ -122,7 +122,7 @@ DepthGradedHalfSpace or GradedHalfSpace
 
     @property
     def bed(self) -> EllipticFoundation:
-        """The springs that bear forces like these bodies, for problems that need no more; sheared along x.
+        """The springs in contact forces like these bodies, for problems that need no more; sheared along x.
 
         Raises
         ------
@@ -245,9 +245,9 @@ class EllipticSolution(PerLoad[Q]):
     area : float or ndarray
         Of the contact [m^2].
     peak_pressure : float or ndarray
-        p_0 [Pa], the greatest; zero without contact.
+        p_0 [Pa], the maximum; zero without contact.
     grid_error : float or ndarray
-        Relative change of depth, force and greatest pressure from half as many pixels along a side; zero of the closed
+        Relative change of depth, force and maximum pressure from half as many pixels along a side; zero of the closed
         form.
     edge_error : float or ndarray
         Relative error of area, stiffness and semi-axes that the pixels leave; zero of the closed form.
@@ -341,7 +341,7 @@ class EllipticSolution(PerLoad[Q]):
     def greatest_stress(
         self, friction: float = 0.0, angle: float = 0.0, *, measure: str = "von_mises", below: bool = True
     ) -> StressSpot:
-        """Return the greatest stress of a kind [Pa] under one load, and its place x, y, z [m] in the axes of the body.
+        """Return the maximum stress of a kind [Pa] under one load, and its place x, y, z [m] in the axes of the body.
 
         Parameters
         ----------

@@ -59,7 +59,7 @@ class EllipticYieldOnset:
     InvalidInput
         If no body has a strength, or the medium is not isotropic.
     OutsideValidity
-        If there is friction on a layer that slides on what lies below it.
+        If there is friction on a layer that slides on the material below.
 
     References
     ----------

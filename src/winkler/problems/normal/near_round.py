@@ -180,7 +180,7 @@ class NearlyRoundSolution(PerLoad[Q]):
     contour : ndarray, (..., n)
         Radius of the contact [m] in every direction.
     grid_error : float or ndarray
-        Relative change of depth, force and greatest pressure from half as many pixels along a side; zero of springs.
+        Relative change of depth, force and maximum pressure from half as many pixels along a side; zero of springs.
     edge_error : float or ndarray
         Relative error of stiffness and contour that the pixels leave; zero of springs.
     """

@@ -79,8 +79,8 @@ class YieldOnset:
         Raises
         ------
         OutsideValidity
-            If the body yields at the first touch (a sharp apex, edge or rim), never, not within the profile's reach,
-            or where the contact is no disc; under the edge of an incompressible truncated body; on layers, if the
+            If the body yields at the first touch (a sharp apex, edge or rim), never, not within the profile's reach, or
+            where the contact is not a disc; under the edge of an incompressible truncated body; on layers, if the
             contact would be thousands of times as wide as the uppermost layer is thick.
         NotConverged
             If the contact radius at the onset is not found.

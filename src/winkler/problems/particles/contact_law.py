@@ -51,9 +51,9 @@ class ContactLaw:
     bed : Bed
         The springs: Foundation(profile, medium) or another one.
     deepest : float
-        Greatest depth of the table [m], positive.
+        Maximum depth of the table [m], positive.
     tolerance : float, optional
-        Greatest error of the force that Hermite's cubic between two rows may have, over the greatest force.
+        Maximum error of the force that Hermite's cubic between two rows may have, over the maximum force.
 
     Raises
     ------
@@ -176,9 +176,9 @@ class ContactLawSolution:
     energy : ndarray, (rows,)
         Elastic energy [J].
     hermite_error : float
-        Greatest error of the force between the rows by Hermite's cubic, as measured there, over the greatest force.
+        Maximum error of the force between the rows by Hermite's cubic, as measured there, over the maximum force.
     linear_error : float
-        Bound of the error by straight lines, over the greatest force; of a contact that grows with the depth.
+        Bound of the error by straight lines, over the maximum force; of a contact that grows with the depth.
     """
 
     __words__ = words(

@@ -58,7 +58,7 @@ class BallImpacts:
     sliding_velocity : ndarray, (contacts, 2)
         Of the touching points along the surface [m/s].
     steps : int, optional
-        How many steps an impact takes.
+        Number of steps of an impact.
     count : int, optional
         How many springs a contact has.
 
@@ -171,9 +171,9 @@ class BallImpactsSolution:
     dissipation : ndarray, (contacts,)
         Heat of each impact [J].
     greatest_depth : ndarray, (contacts,)
-        Hertz' greatest depth [m].
+        Hertz' maximum depth [m].
     greatest_shear_force : ndarray, (contacts,)
-        Greatest shear force during the impact [N].
+        Maximum shear force during the impact [N].
     duration : ndarray, (contacts,)
         How long the bodies touch [s], a whole number of steps.
     """
@@ -200,7 +200,7 @@ class BallImpactsSolution:
 
     @property
     def restitution(self) -> Array:
-        """Velocity of parting over that of approach [-], ``(contacts,)``."""
+        """Rebound velocity over approach velocity [-], ``(contacts,)``."""
         return np.asarray(-self.velocity / np.asarray(self.problem.velocity))
 
     @property

@@ -35,7 +35,7 @@ class DentLimit:
     bed : Foundation or EllipticFoundation
         As of `PlasticIndentation`.
     residual_depth : float
-        d0 [m], positive: how far the bodies have come nearer for good, both dents together.
+        d0 [m], positive: the permanent approach of the bodies, both dents together.
 
     Raises
     ------

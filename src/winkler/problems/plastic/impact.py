@@ -188,7 +188,7 @@ class PlasticImpact(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If the body is pressed in beyond what is known of its profile, or to where that is much blunter than a
+            If the body is pressed in beyond the known range of its profile, or to where that is much blunter than a
             paraboloid or sharper than a cone; on layers, if one of them yields.
         """
         given = np.ravel(np.asarray(self.velocity, dtype=float))
@@ -231,7 +231,7 @@ class PlasticImpactSolution(PerLoad[Q]):
     velocity : float or ndarray
         v [m/s] of approach at first touch.
     restitution : float or ndarray
-        Velocity of parting over that of approach [-].
+        Rebound velocity over approach velocity [-].
     greatest_depth, greatest_force, largest_radius : float or ndarray
         d_max [m], F_max [N] and a [m] at the moment of rest; the last is the radius of the dent.
     residual_depth : float or ndarray
@@ -307,7 +307,7 @@ class PlasticImpactSolution(PerLoad[Q]):
 
     @property
     def dented(self) -> Foundation:
-        """The bed that an impact leaves, elastic up to its greatest force; of one velocity, not of an array.
+        """The bed that an impact leaves, elastic up to its maximum force; of one velocity, not of an array.
 
         Depths on it are counted from `residual_depth`.
         """

@@ -100,9 +100,9 @@ class PlasticIndentation:
     ----------
     bed : Foundation or EllipticFoundation
         A profile without a flat end over a `HalfSpace`, one body of which has a strength, or both; nowhere in the
-        contact much blunter than a paraboloid or sharper than a cone.  Or bodies of two curvatures over one.  Or over a
-        `CoatedHalfSpace`, a `SlidingFilm` or a `StackedHalfSpace` whose layers or bodies have strengths: up to the load
-        at which one of them yields.
+        contact much blunter than a paraboloid or sharper than a cone.  Or bodies with two curvatures each over one.  Or
+        over a `CoatedHalfSpace`, a `SlidingFilm` or a `StackedHalfSpace` whose layers or bodies have strengths: up to
+        the load at which one of them yields.
     path : Depth or Force
         Depths [m], or loads [N], one after the other, ``(steps,)``.
 
@@ -356,7 +356,7 @@ class PlasticSolution(PlasticPress[Array], Looped):
 
     @property
     def dented(self) -> Foundation:
-        """The bed that the path leaves: the contact is elastic on it up to the greatest load so far.
+        """The bed that the path leaves: the contact is elastic on it up to the maximum load so far.
 
         Depths on it are counted from `residual_depth`.
         """

@@ -274,9 +274,9 @@ class LinePlasticSolution:
     residual_depth : ndarray, (steps,)
         d0 [m], by which the middle of the unloaded surfaces lies below places far away, of both bodies together.
     largest_half_width : ndarray, (steps,)
-        Under the greatest load so far [m]: half the width of the dent.
+        Under the maximum load so far [m]: half the width of the dent.
     even_share : ndarray, (steps,)
-        Part of the greatest load with an even pressure [-], the rest is Hertz's; zero of elastic bodies.
+        Part of the maximum load with an even pressure [-], the rest is Hertz's; zero of elastic bodies.
     dissipation : ndarray, (steps,)
         What loading has cost and unloading does not return [J/m]; a part of it stays as residual stress.
     """

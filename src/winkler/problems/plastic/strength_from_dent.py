@@ -109,10 +109,10 @@ class StrengthFromDent:
         As of `PlasticIndentation`.  The first body is the one whose strength is sought: an `Elastic` without one, or a
         solid that hardens.  The second one may be rigid, elastic, or have a strength of its own.
     load : Force or Blow
-        The greatest loads that fresh places of the body have borne [N], or blows that they have taken, one or several.
+        The maximum loads that fresh places of the body have borne [N], or blows that they have taken, one or several.
     dent : Radius, Depth or Restitution
-        What each load has left: the radius of the dent in its plane, or its depth, by which the bodies have come nearer
-        for good, `residual_depth` of a `PlasticIndentation` [m].  Of a blow also its restitution [-].
+        What each load has left: the radius of the dent in its plane, or its depth: the permanent approach
+        of the bodies, `residual_depth` of a `PlasticIndentation` [m].  Of a blow also its restitution [-].
     force_error, dent_error : float, optional
         Standard deviations of forces [N] and of radii or depths of dents [m]; zero unless given.  Those of blows and
         restitutions are given with them.
@@ -390,7 +390,7 @@ class StrengthFromDentSolution:
         What several loads miss, as root mean square over their stated errors [-]: about one if one strength explains
         all of them; zero of a single load, or where no error is stated.
     hardness : float
-        Force over the area of the dent in its plane [Pa], Meyer's hardness, here and below of the greatest load.
+        Force over the area of the dent in its plane [Pa], Meyer's hardness, here and below of the maximum load.
     radius, residual_depth : float
         Radius and depth of the dent [m]; of a single dent one of them is that given.
     depth, greatest_force : float
@@ -422,7 +422,7 @@ class StrengthFromDentSolution:
 
     @property
     def released(self) -> PlasticSolution:
-        """The contact of a body with this strength under the greatest load, and let go."""
+        """The contact of a body with this strength under the maximum load, and let go."""
         path = Force(np.array([self.greatest_force, 0.0]))
         return PlasticIndentation(self.problem._bed(self.strength), path).solve()
 

@@ -157,11 +157,11 @@ class SealSolution(PerLoad[Q]):
     depth, force, area, mean_gap : float or ndarray
         As in `SurfaceContactSolution` [m], [N], [m^2], [m].
     area_error : float or ndarray
-        Greatest difference among the area and those on the four maps of every second point [m^2].
+        Maximum difference among the area and those on the four maps of every second point [m^2].
     leak_rate : float or ndarray
         Volume per time that flows along x through the whole map [m^3/s]; zero where no way leads through.
     leak_rate_error : float or ndarray
-        Greatest difference among it and those on the four maps of every second point [m^3/s].
+        Maximum difference among it and those on the four maps of every second point [m^3/s].
     lateral_leak_rate : float or ndarray
         The same flow along y [m^3/s].
     medium_leak_rate : float or ndarray
@@ -200,7 +200,7 @@ class SealSolution(PerLoad[Q]):
     def closing_share(self) -> tuple[float, float]:
         """Return between which shares of the map in contact the last way along x closes: the percolation threshold.
 
-        The greatest share under which some fluid leaks, zero if none does, and the least under which none does, one if
+        The maximum share under which some fluid leaks, zero if none does, and the least under which none does, one if
         it always does.
         """
         shares = np.ravel(np.asarray(self.area)) / self.problem.contact.topography.area

@@ -140,11 +140,11 @@ class TrueAreaSolution(PerLoad[Q]):
     area : float or ndarray
         Of the contact [m^2], corrected along its edge.
     area_error : float or ndarray
-        Greatest difference among the area and those on the four maps of every second point [m^2].
+        Maximum difference among the area and those on the four maps of every second point [m^2].
     peak_pressure : float or ndarray
-        Greatest pressure of a pixel [Pa].
+        Maximum pressure of a pixel [Pa].
     peak_pressure_error : float or ndarray
-        Greatest difference among it and those on the four maps of every second point [Pa].
+        Maximum difference among it and those on the four maps of every second point [Pa].
     mean_gap : float or ndarray
         Mean distance of the surfaces over the map [m].
     patch_count : float or ndarray

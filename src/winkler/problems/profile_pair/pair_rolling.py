@@ -71,7 +71,7 @@ class ProfilePairRolling:
         How far it turns meanwhile, as yaw and roll of the pair, per distance rolled [rad/m], about the zero of its
         profile.
     tolerance : float, optional
-        Greatest `misfit` of a patch that counts as solved.
+        Maximum `misfit` of a patch that counts as solved.
     speed : float, optional
         Of rolling [m/s], for friction that falls with the velocity of slip, which is creepage times speed.
 
@@ -214,9 +214,9 @@ class ProfilePairRollingSolution:
     loss_per_distance : float
         What friction takes per distance rolled [J/m]; times the speed it is the power.
     peak_pressure : float
-        The greatest [Pa].
+        The maximum [Pa].
     grid_error : float
-        Twice the greatest change of a force from a half and five eighths of the pixels along a side, or with less than
+        Twice the maximum change of a force from a half and five eighths of the pixels along a side, or with less than
         32 pixels from as many times more, over the friction that there can be: one may change it little by chance.
     misfit : float
         What the solver left of the law of friction, over what friction would lose if all slipped.

@@ -41,7 +41,7 @@ class ProfilePatch(BelowSurface):
     second_y : float
         The same on the upper body, across in its own profile [m].
     depth : float
-        Greatest overlap of the undeformed bodies along a normal [m].
+        Maximum overlap of the undeformed bodies along a normal [m].
     peak_pressure : float
         [Pa].
     area : float

@@ -178,11 +178,11 @@ class ProfilePairSolution:
     force, lateral_force : float
         What presses the upper body up, and across [N].
     peak_pressure : float
-        The greatest [Pa].
+        The maximum [Pa].
     area : float
         Of all patches [m^2].
     grid_error : float
-        The greatest relative change of force and greatest pressure from half as many pixels along a side.
+        The maximum relative change of force and maximum pressure from half as many pixels along a side.
     touch : float
         Where across the bodies first touch [m].
     height : float

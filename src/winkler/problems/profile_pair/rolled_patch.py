@@ -63,7 +63,7 @@ class RolledPatch(BelowSurface):
     traction : ndarray, (2, n, m)
         Along x and along the arc [Pa], with which the upper body drags the lower one.
     greatest_rigid_slip : float
-        Greatest slip per distance rolled that rigid bodies would have on the patch [-].
+        Maximum slip per distance rolled that rigid bodies would have on the patch [-].
     creep : ndarray, (2, n, m)
         Slip of the upper body over the lower one per distance rolled [-].
     slipping : ndarray of bool, (n, m)

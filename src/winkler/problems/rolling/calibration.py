@@ -42,7 +42,8 @@ class Kalker:
     """Spring stiffness from Kalker's coefficients of a round contact (default)."""
 
     def stiffness(self, bed: Bed, radius: float) -> tuple[float, float]:
-        """Return c11 G / 2 and c22 G / 2 [Pa], of layers and gradings half the forces of a disc that does not slip.
+        """Return c11 G / 2 and c22 G / 2 [Pa], of layers and graded bodies half the forces of a disc that does not
+        slip.
 
         Parameters
         ----------

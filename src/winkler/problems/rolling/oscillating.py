@@ -119,7 +119,7 @@ class OscillatingRolling:
 
     @property
     def shakedown_force(self) -> float:
-        """The greatest shear force under which the contact comes to rest [N]; zero if it rolls over its own radius."""
+        """The maximum shear force under which the contact comes to rest [N]; zero if it rolls over its own radius."""
         line = self._line
         inner = min(self.amplitude, line.radius)
         return 2.0 * float(line.bearing(np.array([inner]), np.array([line.radius]))[0])

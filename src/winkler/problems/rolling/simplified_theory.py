@@ -145,7 +145,7 @@ class SimplifiedRolling(PerLoad[Q]):
         return SimplifiedRollingSolution(self, along, across, moment, a, b, coefficients)
 
     def drives(self, a: float, b: float, coefficients: CreepCoefficients) -> Array:
-        """Return how fast sticking tractions grow, in units of the disc and of the greatest bound, ``(m, 4)``."""
+        """Return how fast sticking tractions grow, in units of the disc and of the maximum bound, ``(m, 4)``."""
         xi, eta, spin = self.creepage.broadcast()
         shear = rolling_pair(self.medium).shear
         first = 8.0 * a / (3.0 * coefficients.longitudinal * shear)

@@ -76,7 +76,7 @@ class Reduction:
     depth : float
         Up to which depth d [m] the springs are to be known.
     tolerance : float, optional
-        Greatest error of F, over the greatest F.  Contacts are computed until no convex curve through them, with their
+        Maximum error of F, over the maximum F.  Contacts are computed until no convex curve through them, with their
         stiffnesses for slopes, can be farther from another one.
 
     Raises
@@ -209,7 +209,7 @@ class ReductionSolution:
         The springs; `bed.scatter` is the root mean square by which they miss the computed forces [N].  They are sheared
         along x, those of `bed.turned` along y.
     misfit : float
-        Bound on the difference between the forces of springs and map at any depth, over the greatest force: both bend
+        Bound on the difference between the forces of springs and map at any depth, over the maximum force: both bend
         upwards, which leaves little uncertainty between computed contacts.
     depth, force, stiffness : ndarray, (n,)
         The contacts behind them [m], [N], [N/m].

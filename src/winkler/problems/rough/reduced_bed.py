@@ -45,7 +45,7 @@ class ReducedBed(DirectionalBed):
     depth : float
         Up to which depth d [m] the springs are known.
     tolerance : float, optional
-        Greatest error of F between the computed contacts, over the greatest F.
+        Maximum error of F between the computed contacts, over the maximum F.
 
     Raises
     ------

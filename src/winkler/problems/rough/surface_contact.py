@@ -140,7 +140,7 @@ class SurfaceContact(PerLoad[Q]):
     hardness : float, optional
         Pressure [Pa] that is not exceeded; infinite (the default) of elastic bodies.
     tolerance : float, optional
-        Greatest overlap over the depth, and pressure times gap over F d, at which a contact counts as solved.
+        Maximum overlap over the depth, and pressure times gap over F d, at which a contact counts as solved.
 
     Raises
     ------

@@ -128,7 +128,7 @@ class ContactStress:
         return self.contact.medium if isinstance(self.contact, EllipticIndentation) else self.contact.bed.medium
 
     def solve(self) -> ContactStressSolution:
-        """Return the greatest stresses of each kind.
+        """Return the maximum stresses of each kind.
 
         Raises
         ------
@@ -201,11 +201,11 @@ class ContactStressSolution:
     contact : IndentationSolution, EllipticSolution or LineSolution
         The contact.
     von_mises, von_mises_depth : float
-        Greatest von Mises stress [Pa], and where [m].
+        Maximum von Mises stress [Pa], and where [m].
     max_shear, max_shear_depth : float
-        Greatest shear stress [Pa], half the difference of the outermost principal stresses, and where [m].
+        Maximum shear stress [Pa], half the difference of the outermost principal stresses, and where [m].
     orthogonal_shear, orthogonal_shear_depth : float
-        Greatest shear stress in planes along the surface [Pa], and where [m]: of an ellipse along its shorter axis.
+        Maximum shear stress in planes along the surface [Pa], and where [m]: of an ellipse along its shorter axis.
     long_axis_shear, long_axis_shear_depth : float
         The same along the longer semi-axis, as of a contact that rolls that way; of a round contact the same, of a
         line contact zero, and the depth that of long ellipses on half-spaces: the half-width.
@@ -236,7 +236,7 @@ class ContactStressSolution:
 
     @property
     def peak_pressure(self) -> float:
-        """p_0 [Pa], the greatest pressure."""
+        """p_0 [Pa], the maximum pressure."""
         return float(self.contact.peak_pressure)
 
     @property

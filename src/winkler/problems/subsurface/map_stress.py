@@ -63,7 +63,7 @@ class MapStress:
     assumptions: ClassVar[frozenset[Assumption]] = MAPPED
 
     def solve(self) -> MapStressSolution:
-        """Return the greatest stress and its place; the solution gives the stresses at all others."""
+        """Return the maximum stress and its place; the solution gives the stresses at all others."""
         spot = greatest_stress(self.load, self.solid)
         coarse = greatest_stress(self.load.halved(), self.solid)
         return MapStressSolution(
@@ -82,11 +82,11 @@ class MapStressSolution(BelowSurface):
     force, x_force, y_force : float
         Sums of the pressures and of the tractions [N].
     von_mises : float
-        The greatest equivalent stress [Pa].
+        The maximum equivalent stress [Pa].
     x, y, z : float
         Its place [m].
     grid_error : float
-        Relative change of the greatest stress from pixels of twice the size.
+        Relative change of the maximum stress from pixels of twice the size.
     """
 
     __words__ = words(

@@ -77,7 +77,7 @@ class SurfaceAdhesion:
         Displacements d [m], one after the other; zero where the highest point would touch (under `LennardJones`: be at
         its spacing) without deformation, negative apart.  The bodies are brought to the first one from apart.
     tolerance : float, optional
-        Greatest traction out of balance over the greatest traction at which a state counts as solved.
+        Maximum traction out of balance over the maximum traction at which a state counts as solved.
 
     Raises
     ------

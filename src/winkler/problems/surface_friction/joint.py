@@ -66,8 +66,8 @@ class JointStiffness(PerLoad[Q]):
     load : Force
         Normal force, compression positive, one or many; of a periodic map on one period.
     share : ndarray, (amplitudes,), optional
-        Amplitudes of the shear force along x under the last normal force, rising, over what friction bears: between
-        0.01 and 0.99.
+        Amplitudes of the shear force along x under the last normal force, rising, over the friction limit: between 0.01
+        and 0.99.
 
     Raises
     ------
@@ -193,7 +193,7 @@ class JointStiffnessSolution(PerLoad[Q]):
     disc_stiffness : float or ndarray
         Along the surface [N/m], of the disc that is as stiff across: Mindlin's ratio times K_z.
     share, shear_amplitude : ndarray, (amplitudes,)
-        Amplitudes of the shear force along x under the last normal force, over what friction bears and in N.
+        Amplitudes of the shear force along x under the last normal force, over the friction limit and in N.
     shift_amplitude, loss_per_cycle : ndarray, (amplitudes,)
         Of the loops by boundary elements with friction [m], [J].
     spring_shift, spring_loss : ndarray, (amplitudes,)
@@ -250,7 +250,7 @@ class JointStiffnessSolution(PerLoad[Q]):
 
     @property
     def disc_ratio(self) -> Q:
-        """The same ratio of a disc [-]: 2 (1 - nu) / (2 - nu) of bodies alike."""
+        """The same ratio of a disc [-]: 2 (1 - nu) / (2 - nu) of equal bodies."""
         return self._over(self.disc_stiffness, self.stiffness)
 
     @property
@@ -289,12 +289,12 @@ class JointStiffnessSolution(PerLoad[Q]):
 
     @property
     def shift_error(self) -> float:
-        """Greatest difference of a shift by springs from boundary elements, over the greatest shift [-]."""
+        """Maximum difference of a shift by springs from boundary elements, over the maximum shift [-]."""
         return loop_difference(self.shift_amplitude, self.spring_shift)
 
     @property
     def loss_error(self) -> float:
-        """Greatest difference of a loss by springs from boundary elements, over the greatest loss [-]."""
+        """Maximum difference of a loss by springs from boundary elements, over the maximum loss [-]."""
         return loop_difference(self.loss_per_cycle, self.spring_loss)
 
     @property

@@ -69,7 +69,7 @@ class SurfaceTangential:
         How the bodies turn against each other beside a shift or a shear force, about the middle of the map,
         anticlockwise positive: one number, or one for each point of the path.  They do not turn unless given.
     tolerance : float, optional
-        Greatest `SurfaceShearState.misfit` at which stick and slip count as solved.
+        Maximum `SurfaceShearState.misfit` at which stick and slip count as solved.
 
     Raises
     ------
@@ -225,7 +225,7 @@ class SurfaceTangentialSolution(MapSlip[Array], Looped, LastMap):
     last : SurfaceShearState
         The contact at the end of the path, with its maps of pressure, traction and slip.
     heaviest : tuple of LoadedMap
-        The states among which the greatest stress of the whole path is sought.
+        The states among which the maximum stress of the whole path is sought.
     frames : tuple of TractionFrame
         What touches, sticks and slips in states along the history.
     """

@@ -278,7 +278,7 @@ class SurfaceFrictionHeatingSolution(PerLoad[Q]):
     heat_rate, first_share, exchanged_heat_rate, max_temperature, mean_temperature, mismatch, grid_error
         As in `SurfaceHeatState`, float or ndarray.
     x, y : float or ndarray
-        Place of the greatest temperature [m].
+        Place of the maximum temperature [m].
     first_peclet, second_peclet : float
         Pe = V l / (2 kappa) of the bodies [-], with half the length l of the contact along x.
     last : SurfaceHeatState

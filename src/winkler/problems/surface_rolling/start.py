@@ -60,7 +60,7 @@ class SurfaceRollingStart:
     distance : float
         How far the contact rolls [m]; a state for each pixel.
     tolerance : float, optional
-        Greatest `SurfaceRollingStartState.misfit` at which a step counts as solved.
+        Maximum `SurfaceRollingStartState.misfit` at which a step counts as solved.
 
     Raises
     ------
@@ -202,7 +202,7 @@ class SurfaceRollingStartSolution(MapRollingStart[Array], RolledMap):
     last : SurfaceRollingStartState
         The contact at the end, with its maps.
     heaviest : tuple of LoadedMap
-        The states among which the greatest stress of the whole distance is sought.
+        The states among which the maximum stress of the whole distance is sought.
     frames : tuple of TractionFrame
         What touches, sticks and slips in states along the history.
     """

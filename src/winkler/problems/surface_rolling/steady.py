@@ -64,7 +64,7 @@ class SurfaceRolling(PerLoad[Q]):
         Creepages and spin, or the forces F_x and F_y with the spin or the moment, also arrays; or one shear force F_x,
         or (F_x, F_y), without spin.  Spin and moment turn about the middle of the map.
     tolerance : float, optional
-        Greatest `SurfaceRollingState.misfit` at which a contact counts as solved.
+        Maximum `SurfaceRollingState.misfit` at which a contact counts as solved.
     speed : float, optional
         Of rolling [m/s], for friction that falls with the velocity of slip, which is creepage times speed, and for the
         heat of friction; under Coulomb's law forces do not depend on it.
@@ -219,7 +219,7 @@ class SurfaceRollingSolution(MapRolling[Q], RolledMap):
     last : SurfaceRollingState
         The last contact, with its maps of pressure, traction and slip.
     heaviest : tuple of LoadedMap
-        The states among which the greatest stress of all cases is sought.
+        The states among which the maximum stress of all cases is sought.
     frames : tuple of TractionFrame
         What touches, sticks and slips in states along the history.
     """

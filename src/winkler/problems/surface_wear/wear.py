@@ -56,10 +56,10 @@ class SurfaceWear:
     wear : Archard
         How fast the map wears.
     distance : float or ndarray, (steps,)
-        After which distances slid [m] the contact is returned, to and fro counted together; one number stands for the
-        whole distance, and 41 states up to there.
+        After which distances slid [m] the contact is returned, back and forth counted together; one number stands for
+        the whole distance, and 41 states up to there.
     tolerance : float, optional
-        Greatest error of the worn depth in one step, over the greatest worn depth.
+        Maximum error of the worn depth in one step, over the maximum worn depth.
 
     Raises
     ------

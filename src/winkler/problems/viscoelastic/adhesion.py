@@ -211,8 +211,8 @@ class ViscoelasticAdhesion:
         Raises
         ------
         OutsideValidity
-            If the contact grows beyond what is known of the profile or is no disc: at that step, the states before it
-            have been yielded.
+            If the contact grows beyond the known range of the profile or is not a disc: at that step, the states before
+            it have been yielded.
         NotConverged
             If the edge cannot be followed.
         """

@@ -66,7 +66,7 @@ class ViscoelasticImpact:
     Raises
     ------
     InvalidInput
-        If the bed does not relax, or a number is out of range.
+        If the medium is not viscoelastic, or a number is out of range.
 
     References
     ----------
@@ -115,7 +115,7 @@ class ViscoelasticImpact:
         Raises
         ------
         OutsideValidity
-            If the body is pressed beyond what is known of its profile, or its contact is no disc.
+            If the body is pressed beyond the known range of its profile, or its contact is not a disc.
         NotConverged
             If the restitution does not settle, or the body neither comes to rest nor leaves.
         """
@@ -239,7 +239,7 @@ class ViscoelasticImpactSolution:
 
     @property
     def restitution(self) -> float:
-        """Velocity of parting over that of approach [-]; zero if the body comes to rest."""
+        """Rebound velocity over approach velocity [-]; zero if the body comes to rest."""
         return max(0.0, -float(self.velocity[-1]) / self.problem.velocity)
 
     @property

@@ -69,15 +69,16 @@ class ViscoelasticIndentation:
         Depths or forces over time; equal times are a sudden step, which a dashpot alongside (Kelvin-Voigt) forbids
         for depths.  Under no force the body rests on the surface.
     count : int, optional
-        How many springs, or cells on layers that relax each by a law of its own; the error falls with its square.
+        How many springs, or cells on layers with separate relaxation functions; the error falls with its square.
     tolerance : float, optional
-        Error of the depth in one step under prescribed forces, over the greatest depth.  On layers that relax each by
-        a law of its own the same of the force at prescribed depths, and 0.1 / count^2 where that is more.
+        Error of the depth in one step under prescribed forces, over the maximum depth.  On layers with separate
+        relaxation functions the same of the force at prescribed depths, and 0.1 / count^2 where that is more.
 
     Raises
     ------
     InvalidInput
-        If the bed does not relax, the path moves along the surface, a force is tensile, or a number is out of range.
+        If the medium is not viscoelastic, the path moves along the surface, a force is tensile, or a number is out of
+        range.
 
     References
     ----------
@@ -157,8 +158,8 @@ class ViscoelasticIndentation:
         Raises
         ------
         OutsideValidity
-            If the body is pressed beyond what is known of its profile, is moved suddenly against a dashpot, or the
-            contact is no disc: at that step, the states before it have been yielded.
+            If the body is pressed beyond the known range of its profile, is moved suddenly against a dashpot, or the
+            contact is not a disc: at that step, the states before it have been yielded.
         NotConverged
             If the depth under a force is not found.
         """

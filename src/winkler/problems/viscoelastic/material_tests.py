@@ -49,7 +49,7 @@ class CreepTest:
     Raises
     ------
     InvalidInput
-        If the bed does not relax, or a number is out of range.
+        If the medium is not viscoelastic, or a number is out of range.
 
     References
     ----------
@@ -88,9 +88,9 @@ class CreepTest:
         Raises
         ------
         OutsideValidity
-            If it sinks beyond what is known of its profile, or the contact on layers is no disc.
+            If it sinks beyond the known range of its profile, or the contact on layers is not a disc.
         NotConverged
-            If cells do not resolve layers that relax each by a law of its own.
+            If cells do not resolve layers with separate relaxation functions.
         """
         medium = self.bed.medium
         assert offers(medium, RelaxingMedium)
@@ -116,7 +116,7 @@ class RelaxationTest:
     Raises
     ------
     InvalidInput
-        If the bed does not relax, or a number is out of range.
+        If the medium is not viscoelastic, or a number is out of range.
 
     References
     ----------
@@ -155,9 +155,9 @@ class RelaxationTest:
         Raises
         ------
         OutsideValidity
-            If the depth is beyond what is known of the profile, or the contact on layers is no disc.
+            If the depth is beyond the known range of the profile, or the contact on layers is not a disc.
         NotConverged
-            If cells do not resolve layers that relax each by a law of its own.
+            If cells do not resolve layers with separate relaxation functions.
         """
         if is_layered("RelaxationTest", self.bed):
             return StepSolution(self, self.time, *stepped("RelaxationTest", self.bed, self.time, Depth(self.depth)))

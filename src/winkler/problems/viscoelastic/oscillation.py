@@ -44,7 +44,7 @@ class HarmonicIndentation(PerLoad[Q]):
     Raises
     ------
     InvalidInput
-        If the bed does not relax, a fluid is to bear a force, or a number is out of range.
+        If the medium is not viscoelastic, a fluid is to bear a force, or a number is out of range.
 
     References
     ----------
@@ -89,7 +89,7 @@ class HarmonicIndentation(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If the load is beyond what is known of the profile.
+            If the load is beyond the known range of the profile.
         """
         frequency = np.asarray(self.angular_frequency, dtype=float)
         if is_layered("HarmonicIndentation", self.bed):

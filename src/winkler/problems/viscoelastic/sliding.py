@@ -84,7 +84,7 @@ class SlidingResistance(PerLoad[Q]):
     Raises
     ------
     InvalidInput
-        If the bed does not relax or a number is out of range.
+        If the medium is not viscoelastic or a number is out of range.
 
     References
     ----------
@@ -135,8 +135,8 @@ class SlidingResistance(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If the load is beyond what is known of the profile, the contact reaches a rim or is no disc, or the body
-            touches again behind.
+            If the load is beyond the known range of the profile, the contact reaches a rim or is not a disc, or the
+            body touches again behind.
         NotConverged
             If the depth under a force is not found.
         """

@@ -74,7 +74,7 @@ DepthGradedHalfSpace or GradedHalfSpace
     load : Force
         The steady normal force, one positive number.
     distance : float
-        s [m] slid, to and fro counted together.
+        s [m] slid, back and forth counted together.
     angle : float, optional
         Direction of sliding, from x towards y [rad]; along x unless given.
     passes : float, optional
@@ -235,7 +235,7 @@ class EllipticWearSolution:
     contact : EllipticSolution
         The contact, whose pressure hardly changes.
     worn_depth : float
-        Greatest worn depth of the slider [m], in the middle of the ellipse.
+        Maximum worn depth of the slider [m], in the middle of the ellipse.
     worn_volume : float
         What the slider has lost [m^3].
     track_half_width : float
@@ -292,12 +292,12 @@ class EllipticWearSolution:
 
     @property
     def track_depth(self) -> float:
-        """Greatest depth of the track on the second body [m]; zero if that one does not wear."""
+        """Maximum depth of the track on the second body [m]; zero if that one does not wear."""
         return float(self.track(0.0))
 
     @property
     def worn_share(self) -> float:
-        """Greatest worn depths of both bodies over the approach [-]."""
+        """Maximum worn depths of both bodies over the approach [-]."""
         return (self.worn_depth + self.track_depth) / float(self.contact.depth)
 
     @property

@@ -80,13 +80,13 @@ class FrettingWear(AtGoals):
     InvalidInput
         If a law, a load or a number is not of these kinds, or a layer is said to wear on a medium without layers.
     OutsideValidity
-        If the medium relaxes, or a layer slides on what lies below it.
+        If the medium relaxes, or a layer slides on the material below.
 
     Notes
     -----
-    On layers and depth gradings pressures, bounds of the springs and slip are those of the normal and shear kernels of
-    the layers, as in `Tangential`; the core that sticks moves while its surroundings wear.  A layer that wears is
-    taken to respond as before, up to 5 per cent of its thickness.
+    On layers and graded bodies pressures, bounds of the springs and slip are those of the normal and shear kernels of
+    the layers, as in `Tangential`; the core that sticks moves while its surroundings wear.  A layer that wears is taken
+    to respond as before, up to 5 per cent of its thickness.
 
     References
     ----------
@@ -146,7 +146,7 @@ class FrettingWear(AtGoals):
         return laws_on(self.bed.medium, self.wear, layer_wears=self.layer_wears)
 
     def rubbed(self, grid: RoundGrid, contact: WornContact) -> RubbedContact:
-        """Return what the pressed contact does that is pushed to and fro."""
+        """Return what the pressed contact does that is pushed back and forth."""
         coefficient, size = self.law.coefficient, float(numbers_of(self.amplitude))
         if isinstance(self.amplitude, ShearForce):
             size = grid.shift_under(contact, coefficient, size)
@@ -239,7 +239,7 @@ class FrettingSolution:
     shift, shear_force : ndarray, (steps,)
         Amplitudes [m], [N].
     worn_depth : ndarray, (steps,)
-        Greatest worn depth [m], of both bodies together.
+        Maximum worn depth [m], of both bodies together.
     worn_volume, first_volume, second_volume : ndarray, (steps,)
         What both bodies and each of them have lost [m^3].
     loss_per_cycle : ndarray, (steps,)

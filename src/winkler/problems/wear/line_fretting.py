@@ -72,7 +72,7 @@ class LineFrettingWear(AtGoals):
     count : int, optional
         Cells of the grid of places on one side.
     tolerance : float, optional
-        Error of the worn depth in one jump over many cycles, over the greatest one in the end.
+        Error of the worn depth in one jump over many cycles, over the largest one in the end.
     layer_wears : bool, optional
         Of a medium with layers, and one law of wear: whether its uppermost layer wears. Left out, the other body does;
         under a PairWear both do, the layer by its first law.
@@ -82,7 +82,7 @@ class LineFrettingWear(AtGoals):
     InvalidInput
         If a law, a force or a number is not of these kinds, or a layer is said to wear on a medium without layers.
     OutsideValidity
-        If a layer slides on what lies below it, or the bodies relax.
+        If a layer slides on the material below, or the bodies are viscoelastic.
 
     Notes
     -----
@@ -152,7 +152,7 @@ class LineFrettingWear(AtGoals):
 
     @property
     def most_worn(self) -> float:
-        """Greatest worn depth in the end [m]; infinite if nothing slips."""
+        """Maximum worn depth in the end [m]; infinite if nothing slips."""
         return _end_of_wear(self).depth
 
     def slipped(self, grid: StripGrid, contact: WornContact) -> Array:
@@ -183,8 +183,8 @@ class LineFrettingWear(AtGoals):
         Raises
         ------
         OutsideValidity
-            If friction does not bear the shear force, the bodies touch in several strips, or wear ends beyond what is
-            known of the profile.
+            If friction does not bear the shear force, the bodies touch in several strips, or wear ends beyond the known
+            range of the profile.
         NotConverged
             If jumps become too short.
         """
@@ -253,7 +253,7 @@ class LineFrettingSolution:
     force_per_length, half_width, stick_half_width : ndarray, (steps,)
         P [N/m], a [m], c [m].
     worn_depth : ndarray, (steps,)
-        Greatest worn depth [m], of both bodies together.
+        Maximum worn depth [m], of both bodies together.
     worn_volume_per_length, first_volume_per_length, second_volume_per_length : ndarray, (steps,)
         What both bodies and each of them have lost, per length of the line [m^2].
     dissipation_per_length : ndarray, (steps,)

@@ -53,13 +53,13 @@ class LineSlidingWear(OfDistance):
     normal : LineForce
         The steady normal force per length, one positive number.
     distance : float or ndarray, (steps,)
-        After which distances slid [m] the contact is returned, to and fro counted together; one number stands for the
-        whole distance, and 41 states up to there.
+        After which distances slid [m] the contact is returned, back and forth counted together; one number stands for
+        the whole distance, and 41 states up to there.
     count : int, optional
         Cells of the grid of places on one side.
     tolerance : float, optional
         Error of the worn depth in one jump, over the load per length over E*; once the pressure has settled, over that
-        and the greatest worn depth together.
+        and the maximum worn depth together.
     layer_wears : bool, optional
         Of a medium with layers: whether its uppermost layer wears, as on a coated roller that slides on a flat. Left
         out, the other body wears.
@@ -199,7 +199,7 @@ class LineSlidingSolution:
     mean_pressure : ndarray, (steps,)
         P / (2 a) [Pa].
     worn_depth : ndarray, (steps,)
-        Greatest worn depth [m].
+        Maximum worn depth [m].
     worn_volume_per_length : ndarray, (steps,)
         What was lost, per length of the line [m^2].
     states : tuple of LineWearState

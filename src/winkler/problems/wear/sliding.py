@@ -49,8 +49,8 @@ class SlidingWear(OfDistance):
     normal : Depth or Force
         The steady normal load, one positive number.
     distance : float or ndarray, (steps,)
-        After which distances slid [m] the contact is returned, to and fro counted together; one number stands for the
-        whole distance, and 41 states up to there.
+        After which distances slid [m] the contact is returned, back and forth counted together; one number stands for
+        the whole distance, and 41 states up to there.
     count : int, optional
         Cells of the grid of radii.
     tolerance : float, optional
@@ -69,9 +69,9 @@ class SlidingWear(OfDistance):
 
     Notes
     -----
-    On layers and depth gradings pressures are those of the springs' flat punches superposed, as in `Indentation`.
-    A layer that wears is taken to respond as before; `steps` refuses to go on when 5 per cent of its thickness are
-    gone, and `validity` states how much stiffer or softer a layer would be that is thinner all over.
+    On layers and graded bodies pressures are those of the springs' flat punches superposed, as in `Indentation`. A
+    layer that wears is taken to respond as before; `steps` refuses to go on when 5 per cent of its thickness are gone,
+    and `validity` states how much stiffer or softer a layer would be that is thinner all over.
 
     References
     ----------
@@ -188,7 +188,7 @@ class SlidingSolution:
     depth, force, radius : ndarray, (steps,)
         d [m], F_N [N], a [m].
     worn_depth : ndarray, (steps,)
-        Greatest worn depth [m].
+        Maximum worn depth [m].
     worn_volume : ndarray, (steps,)
         What was lost [m^3].
     states : tuple of WearState

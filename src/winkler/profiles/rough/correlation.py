@@ -56,7 +56,7 @@ class CorrelationLengths:
 def correlation_lengths(surface: Topography) -> CorrelationLengths:
     """Return over which distances the heights of a map are correlated, in 180 directions.
 
-    Take off its trend first: ``surface.detrended(1)``.  Missing heights are left out.  On a map of few hills in either
+    Take off its trend first: ``surface.detrended(1)``.  Missing heights are omitted.  On a map of few hills in either
     direction the numbers are those of these hills.
 
     Parameters
