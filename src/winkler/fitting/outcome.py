@@ -157,8 +157,8 @@ class CreepFit(_RelaxingFit):
     scatter : float
         Standard deviation of the weighted residuals [m].
     predicted : ndarray, (n,)
-        Fitted positions [m]; where the force was fitted, the measured ones less its misfit, a standard deviation of
-        the force for one of the position.
+        Fitted positions [m]. Where the force was fitted: measured positions minus the misfit, with one standard
+        deviation of the force for one of the position.
     depth : ndarray, (n,)
         Fitted d [m].
     """

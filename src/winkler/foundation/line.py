@@ -70,9 +70,9 @@ class LineFoundation(LineBed):
     Parameters
     ----------
     profile : Profile
-        The gap f between the undeformed bodies, at the distance of x from the middle: `Paraboloid` is a parabolic
-        cylinder, `Cone` a wedge, `FlatPunch` a flat one of half-width `radius`, `RoundedPunch` a flat one with rounded
-        edges.
+        The gap f between the undeformed bodies at the distance |x| from the middle. `Paraboloid` is a parabolic
+        cylinder, `Cone` a wedge, `FlatPunch` a flat punch of half-width `radius`, `RoundedPunch` a flat punch with
+        rounded edges.
     medium : HalfSpace or TransverselyIsotropicHalfSpace
         Both bodies, homogeneous, in plane strain.
 

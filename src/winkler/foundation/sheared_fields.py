@@ -39,11 +39,11 @@ class ShearedFields:
     pressure : ndarray
         p [Pa], compression positive, zero outside the contact.
     traction : ndarray, (...) or (..., 2)
-        tau [Pa] with which the second body drags the first along x, in the plane ``(tau_x, tau_y)``.
+        tau [Pa] on the first body along x, in planar motion ``(tau_x, tau_y)``.
     tangential_displacement : ndarray, of the shape of the traction
-        u_x [m], of both surfaces together, mean over the circle with radius r; positive along the traction.
+        u_x [m], sum over both surfaces, averaged over the circle with radius r; positive along the traction.
     slip : ndarray, of the shape of the traction
-        U - u_x [m], mean over the circle: how far the surfaces stand displaced against each other.  Where they have
+        U - u_x [m], averaged over the circle: the relative tangential displacement of the surfaces.  Where they have
         touched all the time, how far they have slipped.
     """
 

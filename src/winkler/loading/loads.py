@@ -157,7 +157,7 @@ class Moment:
     Parameters
     ----------
     moment : float
-        [N m], positive where the end at positive x bears more; zero of a roller that aligns itself.
+        [N m], positive if the end at positive x carries more; zero for a self-aligning roller.
     """
 
     moment: Finite

@@ -66,8 +66,8 @@ class Start:
     normal : Depth or Force
         One number; it states what drives the normal motion in all steps.
     lateral : Shift, ShearForce, Angle, Torque or Unchanged, optional
-        One number, in the plane two; it states what drives the lateral motion in all steps.  Unless given, the path
-        begins at zero of what the first step with a lateral load is driven by.
+        One number, in the plane two; it states what drives the lateral motion in all steps.  By default the lateral
+        load at the start of the path is zero, of the kind of the first lateral step.
 
     Raises
     ------
@@ -164,7 +164,7 @@ class Oscillate:
     normal : Depth, Force or Unchanged, optional
         Amplitude of the normal load.
     lateral : Shift, ShearForce, Angle, Torque or Unchanged, optional
-        Amplitude along the surface; in the plane two numbers, along whose direction the oscillation goes.
+        Amplitude along the surface; in planar motion two numbers, which give the direction of the oscillation.
     cycles : float, optional
         How many, along the surface.
     frequency : float, optional
@@ -174,7 +174,7 @@ class Oscillate:
     phase : float, optional
         By which the lateral load is ahead [rad].
     count : int, optional
-        Points of one cycle of the faster of both, beside the turning points, which are always among them.
+        Points per cycle of the faster of both oscillations, in addition to the reversals.
 
     Raises
     ------

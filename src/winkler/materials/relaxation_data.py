@@ -147,7 +147,7 @@ class DynamicData(_MeasuredSolid):
     Raises
     ------
     InvalidInput
-        If the rows differ in length, are too short, or hold what is not positive.
+        If the rows differ in length, are too short, or have values that are not positive.
 
     Examples
     --------

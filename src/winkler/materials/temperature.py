@@ -77,7 +77,7 @@ class Arrhenius:
     Parameters
     ----------
     reference_temperature : float
-        T_0 [K] at which the solid is known, positive.
+        T_0 [K] at which the properties are given, positive.
     activation_energy : float
         Q [J/mol], positive.
 

@@ -191,7 +191,7 @@ class Prony(ViscoelasticSolid):
     Raises
     ------
     InvalidInput
-        If a number is outside its range, the rows differ in length, or nothing is left that resists.
+        If a number is outside its range, the rows differ in length, or no elastic element remains.
 
     Examples
     --------

@@ -118,7 +118,9 @@ class AreaFunction(Shape):
 
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:
-        """Radii at which one term takes over from the next: smooth, but bent, sharply where the tip is blunt."""
+        """Radii at which one term of the area function becomes larger than the next. The profile is smooth there, with
+        strong curvature if the tip is blunt.
+        """
         if len(self._terms) < 2:
             return ()
         heights = self._unit * (SEARCHED_BENDS if self._terms[-1][1] < 1.0 else np.ones(1))

@@ -131,7 +131,7 @@ class CappedCylinder(_Pinned):
 
 @value
 class Cylinder(Shape):
-    """A cylinder lying on its side: always refused, with the reason.
+    """A cylinder lying on its side; it raises an error that states the reason.
 
     Parameters
     ----------

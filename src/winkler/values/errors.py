@@ -52,7 +52,7 @@ ADDRESS = re.compile(r" at 0x[0-9A-Fa-f]+")
 
 
 class WinklerError(Exception):
-    r"""Root of every error that winkler raises on purpose; `exit_code` is what the command line returns.
+    r"""Base class of all winkler errors; `exit_code` is the exit code of the command line.
 
     Each argument is one sentence, and becomes one line.
 

@@ -45,13 +45,13 @@ class ContactArray(ContactStore):
     Parameters
     ----------
     law
-        A problem that `export` takes: `Indentation`, `ContactLaw`, `Tangential`, `AdhesiveCycle`,
+        A problem that `export` supports: `Indentation`, `ContactLaw`, `Tangential`, `AdhesiveCycle`,
         `ElasticPlasticParticle`, `ViscoelasticIndentation` or `Contacts`.  A list of problems of one form, or
         `Contacts` that differ, are several kinds of contacts.
     size : int, optional
         How many contacts there are.
     kind : ndarray, (n,), optional
-        Which law each contact has, from 0 on, where there are several; may be left out if there are as many laws.
+        Index of the law of each contact, from 0 on. Not needed if there is one law, or one for each contact.
     answers : tuple of str, optional
         Names of the numbers of `names` that are kept; all unless given.
     precision : str, optional
@@ -104,7 +104,7 @@ class ContactArray(ContactStore):
     ) -> None:
         """Move all contacts by one step, within which depth, motion, twist and roll change in proportion.
 
-        Nothing changes if something is refused.
+        If an error is raised, nothing has changed.
 
         Parameters
         ----------
@@ -123,7 +123,7 @@ class ContactArray(ContactStore):
         Raises
         ------
         InvalidInput
-            If a shape does not agree, a number is not finite, or the law does not take what is given.
+            If a shape does not agree, a number is not finite, or the law does not support an argument.
         OutsideValidity
             If a contact is pressed deeper than its law reaches; the message names it.
         """

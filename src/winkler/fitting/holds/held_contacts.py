@@ -59,8 +59,8 @@ class HeldContacts:
     holds : sequence of HeldForce
         Two or more, of one shape of indenter, with different contact radii.
     vertical : bool, optional
-        Whether each hold has a free factor of its forces when times are compared, so that an error of its depth does
-        not speak for either kind of body.
+        Whether the forces of each hold have a free factor when times are compared, so that an error of the depth does
+        not favour either kind of body.
 
     Raises
     ------
@@ -201,7 +201,7 @@ class HeldContactsSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """Which kind of body the holds tell, and what the numbers mean."""
+        """The kind of body that the holds indicate, and the meaning of the parameters."""
         low, high = self.scaling.interval()
         standing, meaning = MEANINGS[HoldVerdict(self.verdict)]
         kind = Note(

@@ -28,7 +28,7 @@ class HeldForce:
     profile : Paraboloid, Sphere, Cone or FlatPunch
         The indenter.
     depth : float
-        d [m] at which it was held, positive.
+        d [m], constant during the hold, positive.
     time : ndarray, (n,)
         Since the indenter reached the depth [s], positive, rising; leave out times shorter than that of pressing in.
     force : ndarray, (n,)

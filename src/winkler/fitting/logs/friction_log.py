@@ -43,7 +43,7 @@ class FrictionLog:
     Parameters
     ----------
     displacement : ndarray, (n,)
-        Of the drive along the surface [m], whose frame may yield.
+        Tangential displacement of the drive [m], whose frame may deflect.
     shear_force : ndarray, (n,)
         By which the drive moves the contact [N]; of the other sign, it is turned round.
     normal_force : ndarray, (n,), optional

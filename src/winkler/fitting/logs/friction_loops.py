@@ -78,7 +78,7 @@ class FrictionLoops:
     log : FrictionLog
         Displacement and shear force.
     frame_compliance : float, optional
-        Of the machine between contact and sensor of the displacement [m/N], not negative; zero (the default) if the
+        Compliance of the machine between contact and displacement sensor [m/N], not negative. Zero (default) if the
         displacement was measured at the contact.
 
     Raises
@@ -129,7 +129,7 @@ class FrictionLoops:
         return _first_way(self.bed, self.normal)
 
     def solve(self) -> FrictionLoopsSolution:
-        """Return what the loops say of friction, stiffness, loss and slip.
+        """Return friction, stiffness, dissipated energy and slip from the loops.
 
         Returns
         -------
@@ -138,7 +138,7 @@ class FrictionLoops:
         Raises
         ------
         OutsideValidity
-            If the bodies do not touch, or the machine alone is softer than what was measured.
+            If the bodies do not touch, or the machine alone is more compliant than the measurement.
         NotConverged
             If no cycle can be fitted.
         """
@@ -299,7 +299,7 @@ class FrictionLoopsSolution:
     loss_per_cycle, loss_error : float
         Area of the loop [J].
     contact_stroke : float
-        Way of the bodies along each other from end to end [m], with what they yield.
+        Relative tangential displacement of the bodies from end to end [m], including their elastic deformation.
     misfit : float
         Residuals over the amplitude of the force [-], root of the mean square.
     freedom : float
@@ -362,7 +362,7 @@ class FrictionLoopsSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """The assumptions behind the numbers, and doubts about them; then what the contact itself rests on."""
+        """Assumptions and doubts about the results; then the notes of the contact itself."""
         problem = self.problem
         law, swing = Coulomb(self.coefficient), Shift(0.5 * max(self.contact_stroke, 0.0))
         return (*self._notes(), *FrictionDamping(problem.bed, law, problem.normal, swing).solve().validity)

@@ -93,7 +93,7 @@ class PinOnDisc:
         return last_of_line(np.stack([np.ones(place.size), place - place.mean()], axis=1), loss)
 
     def wear_coefficient(self, area: float, force: float) -> Estimate:
-        """Return the wear coefficient over the hardness [1/Pa], as `Archard` takes it, over the second half.
+        """Return the wear coefficient over the hardness [1/Pa] for `Archard`, from the second half.
 
         Parameters
         ----------

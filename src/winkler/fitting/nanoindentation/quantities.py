@@ -60,7 +60,7 @@ class IndentationQuantities:
     units : tuple of str
         Pa, "" (HV*, in kgf/mm^2, is stated without unit), J.
     values, errors : ndarray, (11,)
-        Numbers and standard uncertainties; nan where none is known.
+        Numbers and standard uncertainties; nan if not known.
     """
 
     __words__ = words(

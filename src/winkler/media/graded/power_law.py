@@ -44,7 +44,8 @@ BOOKER = "J. R. Booker, N. P. Balaam, E. H. Davis, Int. J. Numer. Anal. Methods 
 
 @value
 class GradedHalfSpace:
-    """Two half-spaces whose Young's modulus follows the same power of the depth, or one such and a rigid body.
+    """Two half-spaces with a Young's modulus proportional to the same power of the depth, or one of them and a rigid
+    body.
 
     Parameters
     ----------
@@ -150,13 +151,15 @@ class GradedHalfSpace:
 
     @property
     def mismatch(self) -> float:
-        """Zero of two bodies that are alike, whose pressure draws both along in the same way; else not a number."""
+        """Zero for two equal bodies, in which the pressure causes equal tangential displacements; otherwise nan."""
         alike = len(self._graded) > 1 and len({(self._young(body), body.poisson) for body in self._graded}) == 1
         return 0.0 if alike else math.nan
 
     @functools.cached_property
     def torsional_modulus(self) -> float:
-        """G_t [Pa], 1/G_t = sum of 2 (1+nu) (1+k)^2 / (E_0 cos(k pi/2)): springs of a twist bear 8 G_t (x/c_0)^k x."""
+        """G_t [Pa], 1/G_t = sum of 2 (1+nu) (1+k)^2 / (E_0 cos(k pi/2)). The torsional spring stiffness is 8 G_t
+        (x/c_0)^k x.
+        """
         k = self.exponent
         if k == 1.0:
             raise OutsideValidity(
@@ -235,7 +238,7 @@ class GradedHalfSpace:
         return np.asarray(self._surface_modulus / np.pi * root_difference(radius, r) ** (self.exponent - 1.0))
 
     def punch_facts(self, radius: float) -> PunchFacts:
-        """No flat punch pulls, or lifts the surface, or sinks it beyond its own depth."""
+        """Flat punches have no tension, and displace the surface outside the contact by less than their depth."""
         return PunchFacts(pulls=False, least=0.0, most=1.0, gives_separation=True)
 
     def _stiffness(self, modulus: float, x: Array) -> Array:

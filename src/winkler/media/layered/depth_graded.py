@@ -70,7 +70,7 @@ class DepthGradedHalfSpace(LayeredMedium):
 
     @property
     def thickness(self) -> float:
-        """Depth below which the grading has settled, to the tolerance [m]."""
+        """Depth below which the grading is constant within the tolerance [m]."""
         return self.grading.settled_at(self.tolerance)
 
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:

@@ -82,7 +82,7 @@ class AdhesiveCycle:
         and on layers.
     path : Depth or Force
         Positions of the far end of the machine [m], or dead loads [N], one after the other, ``(steps,)``.  A dead load
-        below the pull-off ends the path: then nothing holds the bodies any more.
+        below the pull-off force ends the path, because no equilibrium exists.
     machine_stiffness : float, optional
         k_m [N/m] of the spring between far end and contact, as of a cantilever; infinite for fixed grips.
 
@@ -154,8 +154,8 @@ class AdhesiveCycle:
         Raises
         ------
         OutsideValidity
-            If the contact grows beyond the known range of the profile, a dead load tears it off, or it is not a disc:
-            at that step, the states before it have been yielded.
+            If the contact grows beyond the known range of the profile, a dead load pulls it off, or it is not a disc.
+            The error is raised at that step, after all earlier states.
         NotConverged
             If the profile is too rough.
         """
@@ -230,7 +230,7 @@ class AdhesiveCycleSolution(AdhesiveState[Array], Looped):
     def work(self) -> Array:
         """What the machine (or the dead load) has spent since the beginning, the integral of F dD [J], ``(steps,)``.
 
-        Over a path that begins and ends apart it is the work of the cycle, equal to what was dissipated.
+        Over a path that begins and ends without contact it is the work of the cycle, equal to the dissipated energy.
         """
         return np.asarray(self.energy + self.dissipation)
 

@@ -77,7 +77,7 @@ class AdhesiveShear(PerLoad[Q]):
     bed : Bed
         The springs: Foundation(profile, medium).
     law : ShortRange
-        Its work_opening is what the edge has to pay.
+        Its work_opening is the energy that the edge needs per area.
     normal : Force or Depth
         One dead load [N] or one depth [m], constant while shearing; of several contact radii the widest is meant.
     lateral : Shift or ShearForce
@@ -129,8 +129,8 @@ class AdhesiveShear(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If the normal load alone tears the contact off, or the lateral load is more than it can bear: the message
-            names the indices of an array and the limit.
+            If the normal load alone pulls the contact off, or the lateral load exceeds the limit. The message names the
+            limit and the indices of an array.
         """
         level = float(numbers_of(self.normal))
         widest = float(AdhesiveIndentation(self.bed, self.law, self.normal).solve().radius)

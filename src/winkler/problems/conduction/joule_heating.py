@@ -46,12 +46,12 @@ class JouleHeating(PerLoad[Q]):
     Parameters
     ----------
     contact : Indentation
-        How they are pressed together, on any bed: Foundation, PlaneFoundation, EllipticFoundation, or MeasuredBed (a
-        contact of any shape); of many loads, the results have their shape.
+        The mechanical contact, on a Foundation, PlaneFoundation, EllipticFoundation, or MeasuredBed (a contact of any
+        shape). For an array of loads the results have its shape.
     conductors : ElectricalConductors
         What the bodies conduct, and the film between them.
     drive : Current or Voltage
-        What is sent through; of several voltages at which a current flows, the lowest is taken.
+        Prescribed current or voltage; if several voltages give the same current, the lowest is returned.
     law : WiedemannFranz, optional
         How heat and current conduction go together; with Sommerfeld's Lorenz number unless given.
     temperature : float, optional
@@ -107,8 +107,9 @@ class JouleHeating(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            As for `winkler.problems.conduction.constriction.Constriction.solve`; if no voltage drives the current
-            through the ever hotter contact; if a plating and what carries it resist differently as they are heated.
+            As for `winkler.problems.conduction.constriction.Constriction.solve`. If no voltage drives the current
+            through the contact as it heats up. If the resistivities of plating and substrate have different temperature
+            coefficients.
         InvalidInput
             If a current is sent through bodies that do not touch.
         """
@@ -220,7 +221,7 @@ class JouleHeatingSolution(ConductingSolution["JouleHeatingSolution[float]", Q])
     contact : IndentationSolution
         The contact, of the shape of the load.
     resistance, cold_resistance : float or ndarray
-        Voltage over current [ohm], and what it would be without heating; infinite without contact.
+        Voltage over current [ohm], and the value without heating; infinite without contact.
     current, voltage : float or ndarray
         I [A]; V [V] between the ends.
     film_voltage : float or ndarray
@@ -228,7 +229,7 @@ class JouleHeatingSolution(ConductingSolution["JouleHeatingSolution[float]", Q])
     heat_rate : float or ndarray
         Joule heat I V [W].
     contact_temperature : float or ndarray
-        T_c [K] where the bodies touch; of a spot whose voltage varies that of its mean over the current.
+        T_c [K] of the contact; if its voltage varies, the temperature at the mean voltage of the current.
     middle_temperature, edge_temperature : float or ndarray
         T_c [K] on the axis and at the edge of the spot, which differ between unlike platings.
     max_temperature : float or ndarray

@@ -105,7 +105,7 @@ class LineConstriction(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If the load is refused by `LineIndentation`.
+            If `LineIndentation` does not support the load.
         """
         contact = self.contact.solve()
         half_width = np.asarray(contact.half_width, dtype=float)

@@ -71,13 +71,12 @@ class FrictionDamping(PerLoad[Q]):
     normal : Depth or Force
         The steady normal load, one number.
     amplitude : Shift or ShearForce
-        How far to each side the contact is pushed, half of the whole stroke; may be an array, the results then have
-        its shape.  Zero or more.
+        Amplitude to each side, half of the stroke. For an array the results have its shape.  Zero or more.
     method : Method, optional
-        How slip is followed.  By default rings on bonded layers and graded bodies, as far as an outer ring slides
-        first, and springs elsewhere.
+        How slip is followed.  By default rings on bonded layers and graded bodies if slip begins in the outer annulus,
+        and springs otherwise.
     frequency : float, optional
-        Of the oscillation [Hz], of viscoelastic bodies; elastic ones take none.
+        Frequency of the oscillation [Hz] for viscoelastic bodies; not allowed for elastic ones.
     count : int, optional
         Number of springs of viscoelastic bodies; the error falls with its square, without slip linearly.
     tolerance : float, optional
@@ -87,10 +86,10 @@ class FrictionDamping(PerLoad[Q]):
     ------
     InvalidInput
         If the law is not Coulomb's, its coefficient not positive and finite, the normal load an array, or an amplitude
-        negative.  If bodies are viscoelastic and there is no frequency, or they flow for ever, have a dashpot
-        alongside, or are layers with separate relaxation functions; if they are elastic and there is a frequency.
+        negative.  If viscoelastic bodies have no frequency, are liquids at long times, have a dashpot in parallel, or
+        have layers with separate relaxation functions. If elastic bodies have a frequency.
     OutsideValidity
-        If rings are asked for on another medium, or a contact that is not a disc.
+        If rings are requested on another medium, or for a contact that is not a disc.
 
     References
     ----------
@@ -154,8 +153,8 @@ class FrictionDamping(PerLoad[Q]):
         ------
         OutsideValidity
             If a shear force exceeds the coefficient times the normal force: the bodies would slide away.  If the bodies
-            do not touch.  If the method is exact, and the stiffnesses of the springs have no common ratio; if it is
-            rings, and none slides before all do.
+            do not touch.  If the method is exact, and the springs have different stiffness ratios. If the method is
+            rings, and no annulus slips before full sliding.
         NotConverged
             If the profile is too rough, or cycles of viscoelastic bodies do not repeat.
         """

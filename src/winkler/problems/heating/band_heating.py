@@ -43,8 +43,8 @@ class BandHeating(StripHeating[Q]):
         How the bodies conduct heat: two thick bodies of ThermalConductor, or Plated made of it, a perfect touch
         between them.
     first_speed, second_speed : float or ndarray
-        Velocities [m/s] along x at which the surface of either body moves past the band, not zero.  Zero is allowed
-        for a body that takes no heat, FixedShare(1.0) or FixedShare(0.0).  Arrays broadcast with each other, with the
+        Velocities [m/s] along x at which the surface of either body moves past the band, not zero.  Zero is allowed for
+        a body that receives no heat, FixedShare(1.0) or FixedShare(0.0).  Arrays broadcast with each other, with the
         half-width and with the flux.
     partition : EqualMaximum, EqualMean or FixedShare, optional
         How the bodies share the heat; Blok's rule, EqualMaximum(), unless given.  One body alone has FixedShare(1.0).
@@ -52,8 +52,8 @@ class BandHeating(StripHeating[Q]):
     Raises
     ------
     InvalidInput
-        If a body that takes heat rests against the band, a conductor has the wrong type, a number is not finite, or
-        what is given does not broadcast.
+        If a body that receives heat is at rest relative to the band. If a conductor has the wrong type, a number is not
+        finite, or the arguments do not broadcast.
 
     References
     ----------

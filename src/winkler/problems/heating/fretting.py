@@ -124,8 +124,8 @@ class FrettingHeat(RubbingBodies):
         InvalidInput
             If the path does not end with a closed cycle.
         OutsideValidity
-            If nothing slips, or a ring that is too narrow, or the traction is not known in this medium; else as
-            `Tangential`.
+            If nothing slips, if the slip annulus is too narrow, or if the traction is not known in this medium;
+            otherwise as `Tangential`.
         """
         march = self.contact.solve()
         begin = _begin(march)

@@ -55,9 +55,8 @@ class Impact:
     Parameters
     ----------
     bed : Bed
-        The springs: Foundation(profile, medium).  With friction and a motion along the surface, of a medium whose
-        springs all have the same ratio of tangential to normal stiffness, of bonded layers or of a body graded in
-        depth.
+        The springs: Foundation(profile, medium).  With friction and tangential motion: on a medium with one ratio of
+        tangential to normal stiffness of all springs, on bonded layers, or on a body graded in depth.
     law : Coulomb
         Coulomb(coefficient); infinite if slip is excluded, zero without friction.
     mass : float
@@ -67,8 +66,8 @@ class Impact:
     lateral_velocity : float, optional
         v_x [m/s] of the centre of mass along the surface at first touch.
     angular_velocity : float, optional
-        omega [rad/s] at first touch, about the axis in the surface and across the motion; positive as of a ball that
-        rolls forwards.  It needs a lever.
+        omega [rad/s] at first touch, about the axis in the surface perpendicular to the motion; positive for a ball
+        that rolls forwards.  It needs a lever.
     inertia : float, optional
         I [kg m^2] about that axis through the centre of mass; infinite if the body does not turn.  It needs a lever.
     lever : float, optional
@@ -79,8 +78,8 @@ class Impact:
     Raises
     ------
     InvalidInput
-        If a number is of the wrong sign or kind, friction exceeds 1e5 but is finite, a body spins or has an inertia
-        without a lever, or has a lever but neither an inertia nor an angular velocity.
+        If a number has the wrong sign or type, or friction exceeds 1e5 but is finite. If a body has spin or inertia
+        without a lever, or a lever without inertia and angular velocity.
 
     References
     ----------
@@ -150,8 +149,9 @@ class Impact:
         Raises
         ------
         OutsideValidity
-            If the body is pressed in beyond the known range of its profile, a contact along the path is not a disc, or
-            the springs of an oblique impact are neither alike nor rings of a coating; before the first state.
+            If the depth exceeds the known range of the profile, or a contact along the path is not a disc. If the
+            impact is oblique, the springs have different stiffness ratios, and the medium is not a coating. The error
+            is raised before the first state.
         NotConverged
             If the profile is too rough, or the time integration stops.
         """
@@ -196,7 +196,7 @@ class ImpactSolution(ImpactHistory[Array]):
     problem : Impact
         The problem that was solved.
     stages : tuple of ImpactStage
-        When nothing slides, and when the edge of the contact slides to which side.
+        The phases of the impact: full stick, or slip of the contact edge in one direction.
     duration : float
         How long the bodies touch [s], also of a solution that was stopped before.
     """
@@ -223,7 +223,7 @@ class ImpactSolution(ImpactHistory[Array]):
 
     @property
     def kinetic_energy(self) -> Array:
-        """Kinetic energy that the contact can take or give, m v^2/2 + w^2/(2 kappa) [J], ``(steps,)``.
+        """Kinetic energy available to the contact, m v^2/2 + w^2/(2 kappa) [J], ``(steps,)``.
 
         The rest belongs to the motion that rolls on: no force at the contact changes it.
         """

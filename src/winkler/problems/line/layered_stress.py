@@ -55,8 +55,7 @@ class LayerStress:
     layer : int
         Number of the layer from the surface, 1 the uppermost; the body under the layers comes last.
     von_mises, x, z : float
-        Maximum von Mises stress [Pa] and its place [m], without friction on the right of the middle, and below the
-        surface.
+        Maximum von Mises stress [Pa] and its place [m]; without friction the place in the right half of the layer.
     interface_shear, interface_x : float
         Maximum shear stress on its lower face [Pa], positive, and its place [m]; nan below the last interface.
     """

@@ -45,7 +45,7 @@ class LinePartOnset:
     name : str
         What it is called.
     force_per_length, half_width : float
-        [N/m], [m] when it begins to yield; infinite where it does not within what was examined.
+        Load and half-width at the onset of yield [N/m], [m]; infinite if no yield was found in the examined range.
     x, z : float
         Where [m], as of `LineYieldOnsetSolution`; nan where it does not yield.
     why : str
@@ -75,7 +75,7 @@ class LineYieldOnset:
     Parameters
     ----------
     bed : LineFoundation or LayeredLineFoundation
-        Profile and bodies, on a `HalfSpace` or on layers, of which at least one part was given a strength.
+        Profile and bodies, on a `HalfSpace` or on layers; at least one part has a strength.
     friction : Coulomb, optional
         The contact slides everywhere, and drags each body by mu p; none unless given.
 

@@ -83,7 +83,7 @@ class Indentation(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If the load is tensile, leads beyond the reach of the profile, or opens a contact that is not a disc; the
+            If the load is tensile, is beyond the reach of the profile, or gives a contact that is not a disc. The
             message names the indices of an array.
         """
         solver: Callable[[Bed, Array], tuple[Array, Array]]

@@ -87,8 +87,8 @@ class ContactLaw:
         Raises
         ------
         OutsideValidity
-            If the bed does not reach so deep, or its springs' tangential stiffness is not in proportion to the normal
-            one, so that no single number describes the tangential stiffness.
+            If the foundation does not reach so deep. If the ratio of tangential to normal stiffness varies between
+            springs, so that no single number describes it.
         NotConverged
             If the tolerance would need more than 100 000 rows.
         """

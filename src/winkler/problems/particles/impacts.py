@@ -51,8 +51,8 @@ class BallImpacts:
     mass : float or ndarray
         m [kg] of the ball; of two free ones m1 m2 / (m1 + m2).
     mobility : float or ndarray
-        kappa [1/kg]: what an impulse along the surface changes the velocity of the touching points by,
-        1/m + R^2/I; of a solid ball 3.5/m.
+        kappa [1/kg]: change of the tangential velocity of the touching points per tangential impulse, 1/m + R^2/I; for
+        a solid ball 3.5/m.
     velocity : float or ndarray
         Of approach [m/s], positive.
     sliding_velocity : ndarray, (contacts, 2)

@@ -75,8 +75,8 @@ class DentLimit:
         Raises
         ------
         OutsideValidity
-            If no load within the reach of the profile leaves such a dent, or the contact then ends where the profile is
-            much blunter than a paraboloid or sharper than a cone.
+            If no load within the reach of the profile leaves such a dent. If the contact ends where the profile is much
+            blunter than a paraboloid or sharper than a cone.
         """
         curve = first_loading(self.bed)
         radius = np.array([self._radius(curve)])
@@ -118,8 +118,7 @@ class DentLimitSolution:
     force, depth, radius, mean_pressure : float
         F_N [N], d [m], a [m] and F_N over the area [Pa] under the load; a as of `PlasticPress`.
     elastic_peak_pressure : float
-        What bodies that do not yield would bear in the middle under this load [Pa]: the contact stress by which
-        standards state it.
+        Elastic (Hertz) pressure in the middle under this load without yielding [Pa]: the contact stress in standards.
     """
 
     __words__ = words(

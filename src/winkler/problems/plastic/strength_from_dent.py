@@ -106,13 +106,13 @@ class StrengthFromDent:
     Parameters
     ----------
     bed : Foundation
-        As of `PlasticIndentation`.  The first body is the one whose strength is sought: an `Elastic` without one, or a
+        As of `PlasticIndentation`.  The strength of the first body is computed: an `Elastic` without a strength, or a
         solid that hardens.  The second one may be rigid, elastic, or have a strength of its own.
     load : Force or Blow
-        The maximum loads that fresh places of the body have borne [N], or blows that they have taken, one or several.
+        The maximum loads on unloaded places of the body [N], or the impacts on them, one or several.
     dent : Radius, Depth or Restitution
-        What each load has left: the radius of the dent in its plane, or its depth: the permanent approach
-        of the bodies, `residual_depth` of a `PlasticIndentation` [m].  Of a blow also its restitution [-].
+        The remaining dent of each load: the radius of the dent in its plane, or its depth (the permanent approach of
+        the bodies, `residual_depth` of a `PlasticIndentation`) [m].  Of a blow also its restitution [-].
     force_error, dent_error : float, optional
         Standard deviations of forces [N] and of radii or depths of dents [m]; zero unless given.  Those of blows and
         restitutions are given with them.
@@ -120,8 +120,8 @@ class StrengthFromDent:
     Raises
     ------
     InvalidInput
-        As of `PlasticIndentation`; if the first body has a strength already; if loads and dents are not as many
-        positive numbers; if a force has a restitution, or an error is given for what there is not.
+        As of `PlasticIndentation`. If the first body already has a strength, or loads and dents are not equally many
+        positive numbers. If a force has a restitution, or an error is given without its quantity.
 
     References
     ----------
@@ -260,8 +260,8 @@ class StrengthFromDent:
         Raises
         ------
         OutsideValidity
-            If the contact would be as large without yielding, so that the dent tells no strength; if no strength makes
-            so large a dent; as of `PlasticIndentation.steps` and `PlasticImpact.solve`.
+            If the contact would be as large without yielding, so that the dent determines no strength. If no strength
+            leaves so large a dent. As of `PlasticIndentation.steps` and `PlasticImpact.solve`.
         NotConverged
             If the least squares of several loads are not found.
         """
@@ -381,14 +381,15 @@ class StrengthFromDentSolution:
         Its standard deviation by those of loads and dents [Pa], to first order; of several loads without errors by
         their scatter.
     law_error : float
-        What the law may add: its own error of 2 % of a radius, or of 0.01 of the depth under load (0.03 of two
-        deformable bodies), carried on to the strength [Pa]; of a restitution 0.01 (0.03; of cones at least 0.02).
+        Contribution of the model error to the error of the strength [Pa]. The model error is 2 % of a radius, or 0.01
+        of the depth under load (0.03 for two deformable bodies). For a restitution it is 0.01 (0.03; for cones at least
+        0.02).
     of_load, of_dent : float
-        d ln Y / d ln F, or by the velocity, and d ln Y / d ln r, or by the restitution [-], with all other measured
-        quantities unchanged; of several loads, all changed alike.
+        Sensitivities d ln Y / d ln F (or by velocity) and d ln Y / d ln r (or by restitution) [-], with all other
+        measured quantities constant. For several loads, all change by the same factor.
     misfit : float
-        What several loads miss, as root mean square over their stated errors [-]: about one if one strength explains
-        all of them; zero of a single load, or where no error is stated.
+        Root mean square deviation of several loads over their stated errors [-]: about one if one strength explains all
+        of them. Zero for a single load, or without stated errors.
     hardness : float
         Force over the area of the dent in its plane [Pa], Meyer's hardness, here and below of the maximum load.
     radius, residual_depth : float

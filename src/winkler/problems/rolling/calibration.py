@@ -64,7 +64,7 @@ class Kalker:
         return 0.5 * coefficients.longitudinal * pair.shear, 0.5 * coefficients.lateral * pair.shear
 
     def notes(self, bed: Bed, radius: float) -> tuple[Note, ...]:
-        """Return what was measured of calibrated springs."""
+        """Return the validity notes of calibrated springs."""
         if not isinstance(bed.medium, HomogeneousMedium):
             statement = (
                 "The spring stiffness is that of a disc rolling without slip, computed by boundary elements "

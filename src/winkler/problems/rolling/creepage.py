@@ -34,7 +34,7 @@ class Creepage(PerLoad[Q]):
     Parameters
     ----------
     longitudinal : float or ndarray, optional
-        xi [-], along the direction of rolling; positive drags the first body along +x.
+        xi [-] along the rolling direction; positive values give a traction on the first body along +x.
     lateral : float or ndarray, optional
         eta [-], across it.
     spin : float or ndarray, optional

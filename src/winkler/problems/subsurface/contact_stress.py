@@ -65,8 +65,8 @@ class ContactStress:
     Parameters
     ----------
     contact : Indentation, EllipticIndentation or LineIndentation
-        How the bodies are pressed, by one load: homogeneous ones, or layers, all of them isotropic; by an Indentation
-        also a DepthGradedHalfSpace, whose graded body is one part.
+        The frictionless contact under one load, of homogeneous bodies or layers, all isotropic. An Indentation also
+        supports a DepthGradedHalfSpace, whose graded body is one part.
 
     Raises
     ------
@@ -207,8 +207,9 @@ class ContactStressSolution:
     orthogonal_shear, orthogonal_shear_depth : float
         Maximum shear stress in planes along the surface [Pa], and where [m]: of an ellipse along its shorter axis.
     long_axis_shear, long_axis_shear_depth : float
-        The same along the longer semi-axis, as of a contact that rolls that way; of a round contact the same, of a
-        line contact zero, and the depth that of long ellipses on half-spaces: the half-width.
+        The same along the longer semi-axis, for a contact that rolls along it. For a round contact the values are
+        equal; for a line contact the stress is zero and the depth is the half-width (limit of long ellipses on
+        half-spaces).
     parts : tuple of PartStress
         The same of each body, layer and base that deforms, from the uppermost layer of the first body down.
     stress_error : float

@@ -66,8 +66,8 @@ class JointStiffness(PerLoad[Q]):
     load : Force
         Normal force, compression positive, one or many; of a periodic map on one period.
     share : ndarray, (amplitudes,), optional
-        Amplitudes of the shear force along x under the last normal force, rising, over the friction limit: between 0.01
-        and 0.99.
+        Amplitudes of the shear force along x under the last normal force, increasing, over the friction limit; between
+        0.01 and 0.99.
 
     Raises
     ------
@@ -132,7 +132,7 @@ class JointStiffness(PerLoad[Q]):
         Raises
         ------
         NotConverged
-            If a contact, or what sticks and slips, is not found.
+            If a contact, or its stick zone, is not found.
         OutsideValidity
             If a periodic map touches everywhere under the last force, or the pixels are too coarse for the layers.
         """
@@ -187,7 +187,7 @@ class JointStiffnessSolution(PerLoad[Q]):
     contact : SurfaceContactSolution
         The contacts under the normal forces, with the maps of the last one.
     force, nominal_pressure, depth, area : float or ndarray
-        F_N [N], that over the area of the map [Pa], d [m] and the area of contact [m^2].
+        F_N [N], the force over the area of the map [Pa], d [m] and the contact area [m^2].
     stiffness, stiffness_x, stiffness_y : float or ndarray
         K_z, K_x, K_y [N/m]: of the contact moved as a whole, without slip.
     disc_stiffness : float or ndarray
@@ -199,7 +199,7 @@ class JointStiffnessSolution(PerLoad[Q]):
     spring_shift, spring_loss : ndarray, (amplitudes,)
         Of the same loops from the stiffnesses alone [m], [J].
     spring_forces, spring_stiffnesses : ndarray, (contacts,)
-        Normal forces F' [N] up to the last one and K_x [N/m] under them: what the springs know.
+        Normal forces F' [N] up to the last one and K_x [N/m] under them, which define the springs.
     loop : SurfaceTangentialSolution
         The path of all loops by boundary elements.
     """

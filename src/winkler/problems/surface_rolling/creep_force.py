@@ -42,12 +42,12 @@ class CreepForce(PerLoad[Q]):
     Parameters
     ----------
     longitudinal : float or ndarray, optional
-        F_x [N], with which the second body drags the first along the direction of rolling, +x.
+        F_x [N] on the first body along the rolling direction +x.
     lateral : float or ndarray, optional
         F_y [N], across it.
     twist : Spin or Torque, optional
-        How the pair turns about the normal: the spin is given, or the moment M_z [N m] about the middle of the map, and
-        the spin is sought.
+        Rotation of the pair about the normal: a given spin, or a moment M_z [N m] about the middle of the map whose
+        spin is computed.
 
     All may be arrays, of shapes that fit each other; the results then have the common shape.
 

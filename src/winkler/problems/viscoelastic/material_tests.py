@@ -79,7 +79,7 @@ class CreepTest:
             relaxation_of("CreepTest", self.bed)
 
     def solve(self) -> StepSolution:
-        """Return how the body sinks.
+        """Return depth and contact radius over time.
 
         Returns
         -------
@@ -88,7 +88,7 @@ class CreepTest:
         Raises
         ------
         OutsideValidity
-            If it sinks beyond the known range of its profile, or the contact on layers is not a disc.
+            If the depth exceeds the known range of its profile, or the contact on layers is not a disc.
         NotConverged
             If cells do not resolve layers with separate relaxation functions.
         """

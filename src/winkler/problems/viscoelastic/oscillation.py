@@ -44,7 +44,7 @@ class HarmonicIndentation(PerLoad[Q]):
     Raises
     ------
     InvalidInput
-        If the medium is not viscoelastic, a fluid is to bear a force, or a number is out of range.
+        If the medium is not viscoelastic, a liquid would have to carry a steady force, or a number is out of range.
 
     References
     ----------

@@ -127,7 +127,7 @@ class LimitingProfile:
         Raises
         ------
         OutsideValidity
-            If everything slips, or on layers the stick zone shrinks to nothing: such a contact wears without end.  If
+            If everything slips, or on layers the stick zone shrinks to zero: such a contact wears without end.  If
             nothing slips.  If a layer slides on the material below.  If the worn contact ends beyond the known range of
             the profile.
         """

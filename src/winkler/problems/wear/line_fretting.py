@@ -68,7 +68,7 @@ class LineFrettingWear(AtGoals):
         How far the shear force per length swings to each side, one positive number; less than slides everything.
         Half-planes have no shift to prescribe: it grows without bound with their size.
     cycles : float or ndarray, (steps,)
-        After how many cycles the contact is returned; one number stands for all cycles, and 41 states up to there.
+        Numbers of cycles after which the contact is returned; one number gives 41 states up to it.
     count : int, optional
         Cells of the grid of places on one side.
     tolerance : float, optional
@@ -80,7 +80,7 @@ class LineFrettingWear(AtGoals):
     Raises
     ------
     InvalidInput
-        If a law, a force or a number is not of these kinds, or a layer is said to wear on a medium without layers.
+        If a law, a force or a number has the wrong type, or wear of a layer is requested on a medium without layers.
     OutsideValidity
         If a layer slides on the material below, or the bodies are viscoelastic.
 
@@ -152,7 +152,7 @@ class LineFrettingWear(AtGoals):
 
     @property
     def most_worn(self) -> float:
-        """Maximum worn depth in the end [m]; infinite if nothing slips."""
+        """Final maximum worn depth [m]; infinite if nothing slips."""
         return _end_of_wear(self).depth
 
     def slipped(self, grid: StripGrid, contact: WornContact) -> Array:
@@ -177,13 +177,13 @@ class LineFrettingWear(AtGoals):
         Parameters
         ----------
         start : LineFrettingState, optional
-            A state of this problem that was yielded before, perhaps by a run that was stopped: the march goes on
-            after it, and yields the same numbers as if it had never stopped.
+            A state of this problem from an earlier, possibly interrupted run. The computation continues from it, with
+            the same numbers as without interruption.
 
         Raises
         ------
         OutsideValidity
-            If friction does not bear the shear force, the bodies touch in several strips, or wear ends beyond the known
+            If the shear force exceeds the friction limit, the bodies touch in several strips, or wear exceeds the known
             range of the profile.
         NotConverged
             If jumps become too short.
@@ -191,7 +191,7 @@ class LineFrettingWear(AtGoals):
         return worn_states(self, start, self._nodes, everywhere=False)
 
     def state(self, moment: WearMoment) -> LineFrettingState:
-        """Return what is known of the contact."""
+        """Return the validity notes of the contact."""
         contact, touching, common = pressed_moment(self, moment)
         grid = wear_grid(self.bed, moment.nodes)
         rubbed = self._rubbed(grid, contact)

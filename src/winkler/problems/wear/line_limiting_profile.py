@@ -234,4 +234,4 @@ class LineLimitingSolution(Stressed):
 
 @value
 class LayeredLineLimitingSolution(StressedOnLayers, LineLimitingSolution):
-    """The solution of a `LineLimitingProfile` on layers, whose stresses are those in the layers."""
+    """The solution of a `LineLimitingProfile` on layers, with stresses in the layers."""

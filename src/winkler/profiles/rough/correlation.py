@@ -49,7 +49,9 @@ class CorrelationLengths:
 
     @property
     def aspect(self) -> float:
-        """Shortest over longest [-], Str: near 1 of isotropic surfaces, 0 of grooves; nan if nothing falls."""
+        """Shortest over longest correlation length [-], Str: near 1 for isotropic surfaces, 0 for grooves; nan if no
+        correlation decays.
+        """
         return self.shortest / self.longest if math.isfinite(self.shortest) else math.nan
 
 
