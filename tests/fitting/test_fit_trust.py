@@ -55,7 +55,7 @@ def sticky(law, young: float, radius: float) -> tuple[Note, ...]:
 def test_the_range_of_attraction(law, young, radius, standing):
     """Tabor's parameter from its definition, with a range of 0.3 nm."""
     note = note_on(sticky(law, young, radius), "Range")
-    tabor = float(re.search(r"Tabor parameter ([-+.e0-9]+)", note.statement)[1])
+    tabor = float(re.search(r"Tabor parameter is ([-+.e0-9]+):", note.statement)[1])
     assert tabor == pytest.approx(math.cbrt(radius * (law.work / (young / 0.75)) ** 2) / 0.3e-9, rel=0.01)
     assert note.standing is standing
     assert ("use Dugdale(work, strength)" in note.statement) == (standing is not Standing.ASYMPTOTIC)

@@ -114,8 +114,9 @@ def export(
         "double", or "float" in C: the heading states by how much the answers are off along the test trace.
 
     every_radius : bool, optional
-        Whether R of the pair goes into every step, so that balls of all sizes follow one law: of balls on homogeneous
-        media.  Lengths of the study (deepest point, rolling arm) are then in proportion to R; works of adhesion stay.
+        Whether the radius R of the pair is an input of every step, so that balls of all sizes have one law; for balls
+        on homogeneous media.  Lengths of the study (deepest point, rolling arm) are then in proportion to R; works of
+        adhesion stay.
 
     Returns
     -------

@@ -83,8 +83,8 @@ def peak_stress(
     Returns
     -------
     PeakStress or PlacedStress
-        The latter of a sheared contact, or of a twisted one, there below the surface by a thousandth of the contact
-        radius or more. Infinite at a sharp kink, edge or apex.
+        PlacedStress for a sheared or twisted contact. For a twisted one the place is at least a thousandth of the
+        contact radius below the surface. Infinite at a sharp kink, edge or apex.
     """
     if isinstance(solution, TorsionState):
         return _twisted_peak(solution, 1.0 if below else -1.0)

@@ -87,7 +87,7 @@ class EllipticFoundation(UnderProfile):
 
     @property
     def profile(self) -> Paraboloid:  # type: ignore[override]
-        """The ball whose force grows with depth as that of the bodies."""
+        """The ball with the same force-depth curve."""
         return Paraboloid(self.bodies.equivalent_radius)
 
     @property
@@ -104,7 +104,7 @@ class EllipticFoundation(UnderProfile):
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """What the springs stand for."""
+        """The contact that the springs represent."""
         return (
             *self.medium.notes,
             Note(

@@ -121,8 +121,8 @@ class MeasuredBed:
         c_T/c_N = G*/E* [-], for tangential problems; 2 (1 - nu) / (2 - nu) for a homogeneous body against a rigid
         one. Zero (the default) if it is not known.
     disc : bool, optional
-        Whether the contact is known to be a disc of these radii: problems that need one, such as adhesion, are refused
-        otherwise.
+        Whether the contact is known to be a disc of these radii. Problems that need a disc, such as adhesion, require
+        True.
 
     Raises
     ------
@@ -170,8 +170,8 @@ class MeasuredBed:
         Raises
         ------
         InvalidInput
-            If the data are too few or not finite, are not counted from first touch, or lie so far from every convex
-            curve that they are no contact.
+            If the data are too few or not finite, do not start at first touch, or deviate too much from every convex
+            curve.
         """
         points = bed_points(depth, force, modulus)
         rows = (points.radii, points.stiffnesses, points.depths)
@@ -179,12 +179,12 @@ class MeasuredBed:
 
     @property
     def footprint(self) -> Footprint:
-        """A disc if it is known to be one."""
+        """A disc, if the contact is known to be one."""
         return DISC if self.disc else UNKNOWN_OUTLINE
 
     @property
     def medium(self) -> MeasuredMedium:
-        """A medium of which nothing but the stiffness is known."""
+        """A medium with known stiffness and no other property."""
         return MeasuredMedium(self)
 
     @property

@@ -58,7 +58,7 @@ class ExponentialAttraction:
 
 @value
 class LennardJones:
-    r"""Attraction and repulsion of two solids whose molecules have a Lennard-Jones potential (8-2, or 3-9, law).
+    r"""Attraction and repulsion of two solids with the Lennard-Jones potential between molecules (8-2, or 3-9, law).
 
     .. math:: \sigma(g) = \frac{8w}{3z_0}\left[\left(\frac{z_0}{g}\right)^3-\left(\frac{z_0}{g}\right)^9\right]
 

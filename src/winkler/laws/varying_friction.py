@@ -154,7 +154,7 @@ class ExponentialSlipWeakening:
         return self._drop / self.distance * np.exp(-slip / self.distance)
 
     def lost(self, slip: Array) -> Array:
-        """Return the integral of mu over the slip up to here [m]: what is lost per area, over the pressure."""
+        """Return the integral of mu over the slip [m]: the dissipated energy per area, over the pressure."""
         return self.kinetic_coefficient * slip - self._drop * self.distance * np.expm1(-slip / self.distance)
 
     @property

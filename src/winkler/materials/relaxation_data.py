@@ -107,7 +107,7 @@ class CreepData(_MeasuredSolid):
     Raises
     ------
     InvalidInput
-        If the rows differ in length, are too short, or hold what is not positive.
+        If the rows differ in length, are too short, or have values that are not positive.
 
     Examples
     --------

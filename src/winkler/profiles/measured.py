@@ -78,7 +78,7 @@ class Measured(Shape):
 
     @property
     def curve(self) -> Spline:
-        """The spline that stands for the points."""
+        """The spline that represents the points."""
         return _curve(self)
 
     @property
@@ -99,7 +99,7 @@ class Measured(Shape):
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """Which curve stands for the points, and how far from them it runs."""
+        """The curve that represents the points, and its distance from them."""
         curve = self.curve
         apex = ", with a round apex" if curve.rounded else ""
         if curve.through:

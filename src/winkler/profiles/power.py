@@ -35,7 +35,7 @@ class Paraboloid(RisingShape):
 
     @property
     def size(self) -> float:
-        """R [m], the body whose apex the paraboloid stands for."""
+        """R [m] at the apex of the body that the paraboloid approximates."""
         return self.curvature_radius
 
     def height(self, r: Array) -> Array:

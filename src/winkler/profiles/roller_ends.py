@@ -36,7 +36,7 @@ class SharpEnds:
         return ()
 
     def refuse(self, half_length: float) -> None:
-        """Refuse what does not fit on the roller: nothing."""
+        """Check the dimensions; all are possible here."""
 
 
 @value

@@ -357,6 +357,6 @@ def test_an_area_that_shrinks_at_the_contact_depth():
 def test_few_points():
     ((found, sentence),) = statements(read(impression(0.6, points=40)), "Points")
     assert found is Standing.APPROXIMATE
-    assert "below 50" in sentence
+    assert "fewer than 50 points" in sentence
     ((found, _),) = statements(read(impression(0.6)), "Points")
     assert found is Standing.ASYMPTOTIC

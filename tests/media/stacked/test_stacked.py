@@ -221,5 +221,5 @@ def test_a_height_map_presses_on_a_sliding_stack():
         errors.append(contact.force / line.force - 1.0)
     assert abs(errors[1]) < 5e-4
     assert 3.0 < errors[0] / errors[1] < 6.0
-    with pytest.raises(OutsideValidity, match="of a StackedHalfSpace that slides bears no tractions"):
+    with pytest.raises(OutsideValidity, match="of a StackedHalfSpace that slides carries no tangential tractions"):
         compliance_of(medium)

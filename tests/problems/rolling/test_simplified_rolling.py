@@ -364,9 +364,9 @@ class TestRefused:
 
     def test_notes_state_its_accuracy(self):
         straight, spun = (rolling(Creepage(1e-3, spin=spin)).solve().validity for spin in (0.0, 1.0))
-        assert any("stays within 0.05 of mu F_N" in note.statement for note in straight)
+        assert any("the force differs by at most 0.05 mu F_N" in note.statement for note in straight)
         assert len(spun) == len(straight) + 1
-        assert any("stays within 0.19 of mu F_N" in note.statement for note in spun)
+        assert any("the force differs by at most 0.19 mu F_N" in note.statement for note in spun)
 
     @pytest.mark.parametrize(("force", "standing"), [(1e-6, "asymptotic"), (1e-2, "approximate"), (5.0, "outside")])
     def test_notes_state_whether_the_bodies_are_large(self, force, standing):

@@ -72,7 +72,7 @@ def test_what_is_refused():
     slides = wk.SlidingFilm([wk.Layer(STEEL, 1e-6)], on=STEEL)
     gibson = wk.GradedHalfSpace.between(wk.PowerLawGraded(210e9, 1e-3, 1.0, 0.5))
     for medium, why in (
-        (slides, "of a SlidingFilm that slides bears no tractions"),
+        (slides, "of a SlidingFilm that slides carries no tangential tractions"),
         (gibson, "no tangential stiffness"),
     ):
         with pytest.raises(wk.OutsideValidity, match=why):

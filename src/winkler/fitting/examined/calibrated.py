@@ -70,7 +70,7 @@ class CalibrationShares:
         Parameters
         ----------
         found : FitEstimate
-            The fit, whose interval is that by noise.
+            The fit, with the interval due to noise.
         name : str
         confidence : float
             Between 0 and 1.

@@ -112,11 +112,11 @@ class MeasuredConstriction:
     Parameters
     ----------
     bed : Bed
-        The springs: Foundation(profile, medium) or another bed whose contact area is known.
+        The foundation: Foundation(profile, medium) or another one with known contact area.
     log : ResistanceLog
         Forces and resistances.
     resistivity : float, optional
-        Mean resistivity of both bodies [ohm m], if it is known; zero (the default) if it is sought.
+        Mean resistivity of both bodies [ohm m]; zero (default) if it is to be fitted.
 
     Raises
     ------
@@ -186,8 +186,8 @@ class MeasuredConstriction:
         Raises
         ------
         OutsideValidity
-            If a force leads beyond the reach of the profile, the area of the contact is unknown, or it does not change
-            with the force.
+            If a force exceeds the reach of the profile, or the contact area is not known or does not change with the
+            force.
         """
         from scipy.optimize import least_squares, nnls
 
@@ -328,7 +328,7 @@ class MeasuredConstrictionSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """The assumptions behind the numbers, and doubts about them; then what the contact itself rests on."""
+        """Assumptions and doubts about the results; then the notes of the contact itself."""
         notes = [self._numbers()]
         turned = self.turned
         if turned is not None and abs(turned.value) > SURE * turned.error:

@@ -314,8 +314,8 @@ class NanoindentationSolution:
     drift : ThermalDrift
         Thermal drift.
     force, depth, stiffness, exponent, final_depth : ndarray, (n,)
-        At the peaks: force [N], depth [m], stiffness of the contact [N/m], exponent [-], and depth [m] at which the
-        fitted unloading ends.
+        At the peaks: force [N], depth [m], contact stiffness [N/m], exponent [-], and final depth [m] of the fitted
+        unloading.
     contact_depth, area, modulus, young, hardness : ndarray, (n,)
         h_c [m], A [m^2], reduced modulus [Pa], Young's modulus of the sample [Pa], hardness [Pa].
     sources : tuple of str
@@ -397,7 +397,7 @@ class NanoindentationSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """Validity of the evaluation: pile-up, exponent, zero point, drift, calibration, unloadings left out."""
+        """Validity of the evaluation: pile-up, exponent, zero point, drift, calibration, omitted unloadings."""
         return nanoindentation_notes(self)
 
     @functools.cached_property

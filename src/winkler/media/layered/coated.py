@@ -459,8 +459,8 @@ class SlidingFilm(StackMedium):
 
     The solid appears by E* alone: Poisson's ratio has no other effect.
 
-    The layer is bonded to nothing: it expands sideways under a pressure, also where it is incompressible, so that a
-    thin film is far softer than the bonded one of `CoatedHalfSpace`.  It may slide, but it does not lift off.
+    The layer is not bonded: it expands laterally under a pressure, also if it is incompressible, so that a thin film is
+    far softer than the bonded one of `CoatedHalfSpace`.  It may slide, but it does not lift off.
 
     Parameters
     ----------

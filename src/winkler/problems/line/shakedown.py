@@ -72,9 +72,10 @@ class LineShakedown:
     Parameters
     ----------
     bed : LineFoundation or LayeredLineFoundation
-        Profile and bodies, on a `HalfSpace` or on layers, of which at least one part was given a strength.
+        Profile and bodies, on a `HalfSpace` or on layers; at least one part has a strength.
     friction : Coulomb, optional
-        The rolling contact slides everywhere, and drags each body by mu p; none unless given.
+        Coulomb's law of a rolling contact that slides everywhere, with the traction mu p on each body; no friction by
+        default.
 
     Raises
     ------
@@ -138,8 +139,9 @@ class LineShakedownSolution:
     force_per_length, half_width : float
         [N/m], [m] of the limit.
     x, z : float
-        Where the shear reaches its limit [m], or von Mises' stress beside the best residual stresses where these limit
-        the load; in the axes of the body, which is dragged along x; below zero (also -0.0) in the second.
+        Place of the limiting stress [m] in the axes of the body, with the traction along x. It is that of the shear
+        stress, or of von Mises' stress with the best residual stresses if these limit the load. Negative z (also -0.0)
+        is in the second body.
     """
 
     __words__ = words(x=("x", "m", "place along the surface"))

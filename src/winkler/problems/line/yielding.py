@@ -77,7 +77,7 @@ class LineYieldOnset:
     bed : LineFoundation or LayeredLineFoundation
         Profile and bodies, on a `HalfSpace` or on layers; at least one part has a strength.
     friction : Coulomb, optional
-        The contact slides everywhere, and drags each body by mu p; none unless given.
+        Coulomb's law of a contact that slides everywhere, with the traction mu p on each body; no friction by default.
 
     Raises
     ------
@@ -146,8 +146,8 @@ class LineYieldOnsetSolution:
     force_per_length, half_width : float
         [N/m], [m] when yielding begins.
     x, z : float
-        Where it begins [m], in the axes of the body, which is dragged along x; below zero (also -0.0) in the second
-        one.
+        Place of the onset [m] in the axes of the body, with the traction along x; negative z (also -0.0) in the second
+        body.
     onsets : tuple of LinePartOnset
         The same of each part that has a strength, from the uppermost layer of the first body down.
     """

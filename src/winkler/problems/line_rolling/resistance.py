@@ -52,8 +52,8 @@ class LineRollingResistance(PerLoad[Q]):
     Parameters
     ----------
     bed : LineFoundation or LayeredLineFoundation
-        A Paraboloid on a ViscoelasticHalfSpace that is a solid: neither flows for ever nor resists a step without
-        bound; or on layers of which some relax, alike or each by a law of its own, or a film that loses its liquid.
+        A Paraboloid on a ViscoelasticHalfSpace that is a solid: no flow at long times, and a finite modulus at short
+        times. Or on layers of which at least one is viscoelastic, or on a poroelastic film.
     load : LineForce, HalfWidth or MeanPressure
         The steady load, one positive number; a half-width is half of the width from edge to edge.
     speed : float or ndarray
@@ -146,8 +146,8 @@ class LineRollingResistanceSolution(PerLoad[Q]):
     force_per_length, half_width : float or ndarray
         P [N/m], and half of the width from edge to edge [m].
     leading_edge, trailing_edge : float or ndarray
-        Where the contact begins and ends [m], from the lowest point of the cylinder; the latter is negative unless the
-        solid relaxes by some orders of magnitude and creeps in full before that point, as a fluid does.
+        Ends of the contact [m], from the lowest point of the cylinder. The trailing edge is negative unless the solid
+        relaxes by some orders of magnitude and creeps completely before that point, as a liquid does.
     shear_force_per_length : float or ndarray
         Q [N/m] that resists the motion.
     """

@@ -81,13 +81,13 @@ class LineRollingStart:
     Parameters
     ----------
     bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
-        Its profile a Paraboloid, the relative radius of both bodies; layers through which shear reaches the base, or
-        a body graded with depth.
+        A foundation with a Paraboloid of the relative radius of both bodies; on layers that transmit shear to the base,
+        or on a body graded with depth.
     friction : Coulomb
         Its coefficient positive and finite.
     drive : LineShearForce or Creepage
-        The force per length that the contact bears at rest and while it rolls, less than friction bears; or the
-        longitudinal creepage with which it rolls, from rest without a force.  One number.
+        The constant force per length at rest and during rolling, below the friction limit; or the longitudinal
+        creepage, from rest without a force.  One number.
     load : LineForce, HalfWidth or MeanPressure
         The steady normal load, one number.
     distance : float
@@ -180,7 +180,7 @@ class LineRollingStart:
         Raises
         ------
         OutsideValidity
-            If the bodies do not touch, friction does not bear the force, or the travel is too long to be followed.
+            If the bodies do not touch, the force exceeds the friction limit, or the travel is too long.
         NotConverged
             If the zones of stick and slip are not found.
         """
@@ -265,7 +265,7 @@ class LineRollingStartSolution:
     longitudinal_creepage : ndarray, (steps,)
         xi [-] over the last element rolled; zero at rest.
     shear_force_per_length : ndarray, (steps,)
-        Q [N/m], with which the second body drags the first along the direction of rolling.
+        Q [N/m] on the first body along the rolling direction.
     stick_share : ndarray, (steps,)
         Part of the width that sticks [-].
     states : tuple

@@ -56,13 +56,13 @@ class PeriodicIndentation(PerLoad[Q]):
     pitch : float
         Distance of the crests [m], positive.
     load : NominalPressure, LineForce or HalfWidth
-        What is prescribed: the pressure over the whole surface, or of each strip the force per length or half-width;
-        its value may be an array, the results then have its shape.
+        The mean pressure over the whole surface, or the force per length or half-width of each strip. For an array the
+        results have its shape.
 
     Raises
     ------
     InvalidInput
-        If the profile is not known up to half of the pitch, has a rim, or is as high elsewhere as at x = 0.
+        If the profile is not known up to half of the pitch, has a rim, or is elsewhere as high as at x = 0.
 
     References
     ----------

@@ -66,8 +66,8 @@ class LineViscoelasticIndentation:
     Parameters
     ----------
     bed : LineFoundation or LayeredLineFoundation
-        Profile and bodies, on a `ViscoelasticHalfSpace`, on layers that are `RelaxingInProportion` or relax each by a
-        law of its own, or on a `PoroelasticFilm`: Poisson's ratios of solids do not change in time.
+        Profile and bodies: on a `ViscoelasticHalfSpace`, on `RelaxingInProportion` layers, on layers with separate
+        relaxation functions, or on a `PoroelasticFilm`. Poisson's ratios of solids are constant.
     path : LineForcePath
         Force per length over time.
     count : int, optional
@@ -144,7 +144,7 @@ class LineViscoelasticIndentation:
         Raises
         ------
         OutsideValidity
-            If the bodies are never pressed, the load leads beyond the known range of the profile, the contact is no
+            If the bodies are never pressed, or the load exceeds the known range of the profile. If the contact is not a
             single strip, or the bodies touch beside a dent.
         """
         medium: Any = self.bed.medium
@@ -308,8 +308,8 @@ class LineViscoelasticSolution(OfPath[LineViscoelasticState]):
         Parameters
         ----------
         first, second : float, RollerCentre or PlateBase
-            Depths of the points below the surfaces of half-planes or layers [m], or finite bodies; that in a rigid
-            body, and below layers on a rigid base, may be left out.
+            Depths of the reference points below the surfaces of half-planes or layers [m], or finite bodies. Not needed
+            in a rigid body, and below layers on a rigid base.
 
         Raises
         ------
@@ -324,7 +324,7 @@ class LineViscoelasticSolution(OfPath[LineViscoelasticState]):
         return approach_of_strips(bed, float(np.max(self.half_width)), strips, (first, second))
 
     def work_per_length(self, first: Place = None, second: Place = None) -> Array:
-        """Return what was spent since the beginning, per length [J/m]: the integral of P over the approach.
+        """Return the work since the beginning, per length [J/m]: the integral of P over the approach.
 
         Between two points of the path force and approach are taken to change in proportion, an error that falls with
         the square of their distance.  Over a cycle after which all has returned it is what the bodies lose between the

@@ -274,7 +274,7 @@ class EllipticSolution(PerLoad[Q]):
 
     @property
     def equivalent_radius(self) -> float:
-        """R_eq [m], of the ball whose force grows with depth as this one's, where the bodies are homogeneous."""
+        """R_eq [m] of the ball with the same force-depth curve, if the bodies are homogeneous."""
         return self.problem.equivalent_radius
 
     def pressure(self, x: ArrayLike, y: ArrayLike) -> Array:
@@ -316,8 +316,7 @@ class EllipticSolution(PerLoad[Q]):
         friction : float
             mu [-] of a contact that slides everywhere: the body requested is dragged by mu p.
         angle : float
-            Direction in which it is dragged, from x towards y [rad]; the other body is dragged in the opposite
-            direction, by this angle and pi.
+            Direction of the traction on the body, from x towards y [rad]; that on the other body is opposite.
 
         Raises
         ------
@@ -348,8 +347,8 @@ class EllipticSolution(PerLoad[Q]):
         friction, angle : float
             As of `stresses`.
         measure : {'von_mises', 'max_shear', 'orthogonal_shear', 'longitudinal_shear', 'lateral_shear'}
-            After von Mises; half the difference of the outermost principal stresses; shear in planes along the surface,
-            whatever its direction, along x, and along y.
+            Measure of stress. Half the difference of the extreme principal stresses is the maximum shear; orthogonal
+            shear acts in planes parallel to the surface in any direction, along x, or along y.
         below : bool
             In the first body; otherwise in the second.
 

@@ -67,10 +67,10 @@ class ElasticPlasticParticle:
     path : Depth or Force
         Depths [m] against the plane, or dead loads [N], one after the other, ``(steps,)``; depths at most R/2.
     work_opening : float, optional
-        What parting takes [J/m^2]; zero (the default) without adhesion.
+        Work of separation [J/m^2]; zero (default) without adhesion.
     work_closing : float, optional
-        What closing gains [J/m^2], at most `work_opening`; zero (the default) as Zunker and Kamrin have it, the same
-        as `work_opening` for Johnson, Kendall and Roberts.
+        Work gained on closing [J/m^2], at most `work_opening`. Zero (default) is the model of Zunker and Kamrin; the
+        value of `work_opening` is that of Johnson, Kendall and Roberts.
 
     Raises
     ------
@@ -147,8 +147,8 @@ class ElasticPlasticParticle:
         Raises
         ------
         OutsideValidity
-            If the particle is pressed in by more than R/2, or a dead load tears it off; the states before that step
-            have been yielded.
+            If the particle is pressed in by more than R/2, or a dead load pulls it off. The error is raised at that
+            step, after all earlier states.
         """
         march = ParticleMarch(
             material_of(self.curvature_radius, self.solid), float(self.work_closing), float(self.work_opening)

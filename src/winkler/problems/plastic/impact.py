@@ -89,9 +89,9 @@ class PlasticImpact(PerLoad[Q]):
     Parameters
     ----------
     bed : Foundation or EllipticFoundation
-        As of `PlasticIndentation`: a profile without a flat end over a `HalfSpace`, one body of which has a strength,
-        or both; the strength is that at the rate of the impact.  On layers the restitution is one up to the velocity at
-        which one of them yields, and no greater one is taken.
+        As of `PlasticIndentation`: a profile without a flat end over a `HalfSpace`; at least one body has a strength,
+        which applies at the strain rate of the impact.  On layers the restitution is one up to the velocity at which
+        one of them yields; greater velocities are not supported.
     mass : float
         m [kg] of the body; of two free bodies, m1 m2 / (m1 + m2).
     velocity : float or ndarray
@@ -99,7 +99,8 @@ class PlasticImpact(PerLoad[Q]):
     law : Coulomb, optional
         Coulomb(coefficient); without friction unless given.
     lateral_velocity : float or ndarray, optional
-        v_x [m/s] of the centre of mass along the surface at first touch: one for all, or of the shape of the velocity.
+        v_x [m/s] of the centre of mass along the surface at first touch: one number, or an array of the shape of the
+        velocity.
     angular_velocity, inertia, lever : float, optional
         As of `Impact`: omega [rad/s] at first touch, I [kg m^2], and the distance from the centre of mass to the
         surface [m].
@@ -107,8 +108,8 @@ class PlasticImpact(PerLoad[Q]):
     Raises
     ------
     InvalidInput
-        If a number is of the wrong sign or kind, for a bed as in `PlasticIndentation`, for friction and spin as in
-        `Impact`, or if there are as many lateral velocities as neither one nor velocities.
+        If a number has the wrong sign or type, as in `PlasticIndentation` for the foundation and as in `Impact` for
+        friction and spin. If the number of lateral velocities is neither one nor that of the velocities.
 
     References
     ----------
@@ -188,8 +189,8 @@ class PlasticImpact(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If the body is pressed in beyond the known range of its profile, or to where that is much blunter than a
-            paraboloid or sharper than a cone; on layers, if one of them yields.
+            If the contact exceeds the known range of the profile, or reaches a part much blunter than a paraboloid or
+            sharper than a cone. On layers, if one of them yields.
         """
         given = np.ravel(np.asarray(self.velocity, dtype=float))
         velocity, place = np.unique(given, return_inverse=True)
@@ -237,7 +238,7 @@ class PlasticImpactSolution(PerLoad[Q]):
     residual_depth : float or ndarray
         d0 [m], at which the bodies would just touch after the impact: the depth of the dent.
     energy, dissipation : float or ndarray
-        What the bodies give back, and what they do not [J]; a part of the latter stays in them as residual stress.
+        Recovered and dissipated energy [J]; part of the latter remains in the bodies as residual stress.
     duration : float or ndarray
         How long the bodies touch [s].
     sliding_velocity : float or ndarray
@@ -295,7 +296,7 @@ class PlasticImpactSolution(PerLoad[Q]):
 
     @property
     def friction_loss(self) -> Q:
-        """What friction has taken, beside `dissipation` [J]."""
+        """Energy dissipated by friction, in addition to `dissipation` [J]."""
         before, after = np.asarray(self.problem.sliding_velocity), np.asarray(self.sliding_velocity)
         return shaped(0.5 * (before**2 - after**2) / self.problem.mobility)
 

@@ -99,10 +99,10 @@ class PlasticIndentation:
     Parameters
     ----------
     bed : Foundation or EllipticFoundation
-        A profile without a flat end over a `HalfSpace`, one body of which has a strength, or both; nowhere in the
-        contact much blunter than a paraboloid or sharper than a cone.  Or bodies with two curvatures each over one.  Or
-        over a `CoatedHalfSpace`, a `SlidingFilm` or a `StackedHalfSpace` whose layers or bodies have strengths: up to
-        the load at which one of them yields.
+        A profile without a flat end over a `HalfSpace`; at least one body has a strength. Within the contact the
+        profile may not be much blunter than a paraboloid or sharper than a cone.  Or bodies with two curvatures each
+        over one.  Or over a `CoatedHalfSpace`, a `SlidingFilm` or a `StackedHalfSpace` whose layers or bodies have
+        strengths: up to the load at which one of them yields.
     path : Depth or Force
         Depths [m], or loads [N], one after the other, ``(steps,)``.
 
@@ -171,8 +171,8 @@ class PlasticIndentation:
         Raises
         ------
         OutsideValidity
-            If a load is tensile, leads beyond the reach of the profile, or to where the profile is much blunter than
-            a paraboloid or sharper than a cone; on layers, if one of them yields.
+            If a load is tensile, exceeds the reach of the profile, or leads to a part much blunter than a paraboloid or
+            sharper than a cone. On layers, if one of them yields.
         """
         table = _states(self)
         for row in zip(*table, strict=True):

@@ -186,15 +186,15 @@ class LinePlasticIndentation:
     Parameters
     ----------
     bed : LineFoundation
-        A `Paraboloid`, the parabolic cylinder, over a `HalfSpace`, one body of which has a strength, or both.
+        A `Paraboloid` (the parabolic cylinder) over a `HalfSpace`; at least one body has a strength.
     path : LineForce
         Forces per length [N/m], one after the other, ``(steps,)``.
 
     Raises
     ------
     InvalidInput
-        If no body has a strength, a body hardens, a strength is above a fiftieth of Young's modulus, the profile or the
-        medium is another one, or the path is no row.
+        If no body has a strength, a body hardens, or a strength is above a fiftieth of Young's modulus. If profile,
+        medium or path has the wrong type.
 
     References
     ----------

@@ -111,8 +111,8 @@ class StrengthFromDent:
     load : Force or Blow
         The maximum loads on unloaded places of the body [N], or the impacts on them, one or several.
     dent : Radius, Depth or Restitution
-        The remaining dent of each load: the radius of the dent in its plane, or its depth (the permanent approach of
-        the bodies, `residual_depth` of a `PlasticIndentation`) [m].  Of a blow also its restitution [-].
+        The remaining dent of each load: its radius in its plane, or its depth [m]. The depth is the permanent approach
+        of the bodies, `residual_depth` of a `PlasticIndentation`.  Of a blow also its restitution [-].
     force_error, dent_error : float, optional
         Standard deviations of forces [N] and of radii or depths of dents [m]; zero unless given.  Those of blows and
         restitutions are given with them.

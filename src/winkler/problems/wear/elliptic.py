@@ -69,7 +69,7 @@ class EllipticWear:
 DepthGradedHalfSpace or GradedHalfSpace
         Both bodies: on homogeneous ones Hertz's ellipse, on others a map of pixels; the first one has the layers.
     wear : Archard, PairWear or OwnWear
-        How the surfaces wear.  The first body is the slider, in whose axes the contact rests; the second one has the
+        How the surfaces wear.  The first body is the slider, at rest relative to the contact. The second body has the
         track, and wears only under a PairWear.
     load : Force
         The steady normal force, one positive number.
@@ -233,7 +233,7 @@ class EllipticWearSolution:
     problem : EllipticWear
         The problem that was solved.
     contact : EllipticSolution
-        The contact, whose pressure hardly changes.
+        The contact, with nearly constant pressure.
     worn_depth : float
         Maximum worn depth of the slider [m], in the middle of the ellipse.
     worn_volume : float
@@ -273,7 +273,7 @@ class EllipticWearSolution:
         return np.asarray(worn_by(self.problem.wear, self.contact.pressure(x, y))[0] * self.problem.distance)
 
     def track(self, t: ArrayLike) -> Array:
-        """Return the depth of the track on the second body after all passes [m], zero beside it.
+        """Return the depth of the track on the second body after all passes [m], zero outside it.
 
         Parameters
         ----------

@@ -160,7 +160,7 @@ class LineFrettingWear(AtGoals):
         return 4.0 * self._rubbed(grid, contact).slip
 
     def refuse(self, contact: WornContact, elapsed: float) -> None:
-        """Refuse to wear much of a layer; whether the bodies slide away is known before."""
+        """Raise an error if much of a layer would wear."""
         if layer_loses(self.bed.medium, self.wear, layer_wears=self.layer_wears):
             refuse_thin("LineFrettingWear", self.bed.medium, contact.worn_depth, f"{elapsed:.4g} cycles")
 

@@ -126,10 +126,10 @@ class RoundedPyramid(PowerPieces):
                 Assumption.SHAPE,
                 Standing.APPROXIMATE,
                 f"The rounded pyramid of {self.sides} faces is replaced by the body of revolution with the same "
-                "force. On a homogeneous half-space, force, depth, stiffness and energy differ from the pyramid "
-                f"by at most {LARGEST_ERROR:.2%}. The radius is that of a round contact of equal stiffness; "
-                f"contacts wider than {self.blend_radius:.3g} m are not round. Pressures, stresses and adhesion "
-                "are those of the body of revolution.",
+                "force. On a homogeneous half-space, force, depth, stiffness and energy of both agree within "
+                f"{LARGEST_ERROR:.2%}. The radius is that of a round contact of equal stiffness; contacts wider "
+                f"than {self.blend_radius:.3g} m are not round. Pressures, stresses and adhesion are those of the "
+                "body of revolution.",
                 CONSTANTS,
             ),
         )

@@ -83,7 +83,7 @@ def map_statistics(surface: Topography) -> MapStatistics:
     """Return heights and slopes of a map by the names of ISO 25178-2; missing heights are omitted.
 
     The gradient is that of the two triangles of each square of four neighbours; squares with a missing height do not
-    count.  Take off what is no roughness first: ``surface.without_spikes().detrended(1)``.
+    count.  Remove what is not roughness first: ``surface.without_spikes().detrended(1)``.
 
     Parameters
     ----------
