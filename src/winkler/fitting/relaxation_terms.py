@@ -49,7 +49,7 @@ def compare_terms(
     noise : float or ndarray, optional
         As for `fit`.
     time_limit : float, optional
-        The longest that one of the fits may take [s].
+        Time limit of one fit [s].
 
     Returns
     -------

@@ -100,14 +100,14 @@ class PowerLawLineFoundation(LineBed):
 
     @property
     def strained(self) -> Any:
-        """Refused: a bulk stress bends a body whose modulus changes with the depth."""
+        """Not supported: a bulk stress bends a body whose modulus changes with depth."""
         raise OutsideValidity(
             "A bulk stress in a body graded by a power of the depth is not even; give homogeneous bodies or layers."
         )
 
     @property
     def mismatch(self) -> float:
-        """Zero of bodies that are alike; else not a number, and how one draws the other along is left out."""
+        """Zero for equal bodies; otherwise nan, and the coupling of the bodies is neglected."""
         return self.medium.mismatch
 
     def _stiffer(self, unit: float) -> float:
@@ -126,7 +126,7 @@ class PowerLawLineFoundation(LineBed):
         return self.along_share * self._stiffer(reference) * spacing * unit
 
     def slopes(self, part: Wave, nodes: Array, x: Array) -> Array:
-        """As `LineBed.slopes`; how pressures draw along bodies that are not alike is refused."""
+        """As `LineBed.slopes`; coupling of different bodies is not supported."""
         if part is Wave.COUPLING:
             if not self.similar:
                 raise OutsideValidity(
@@ -139,7 +139,7 @@ class PowerLawLineFoundation(LineBed):
         return 2.0 * share * self._stiffer(unit) * slope
 
     def drawn(self, x: Array, half_width: float) -> Array:
-        """Zero: of bodies that are alike nothing is drawn along, of others that is left out."""
+        """Zero: equal bodies have no coupling, and that of others is neglected."""
         return np.zeros(x.shape)
 
     @property
@@ -188,7 +188,7 @@ class PowerLawLineFoundation(LineBed):
 
     @property
     def single(self) -> bool:
-        """Whether every contact is known to be one strip: of a profile of one power."""
+        """Whether every contact is known to be one strip: true for a profile that is one power."""
         return isinstance(self.profile, Paraboloid | PowerLaw)
 
     @property
@@ -266,7 +266,7 @@ class PowerLawLineFoundation(LineBed):
         Raises
         ------
         OutsideValidity
-            If k is not positive: then the surface sinks without bound.
+            If k is not positive: then the surface displacement is infinite.
         """
         k, a = self.exponent, np.asarray(half_width, dtype=float)
         if k <= 0.0:

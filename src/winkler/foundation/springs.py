@@ -66,8 +66,7 @@ class Springs:
         ----------
         bed : Bed
         reach : float
-            Up to which x [m]; not beyond what is known of the bed, nor beyond its rim.  Best the radius of the widest
-            contact.
+            Maximum x [m], within the known range of the foundation and its rim.  Best the radius of the widest contact.
         count : int
             How many, at least two; under a flat end only the last one there is kept.
 
@@ -121,7 +120,7 @@ class Springs:
         return float(self.stiffness @ np.maximum(depth - self.gap, 0.0))
 
     def depth(self, force: Array) -> Array:
-        """Depth [m] at which the springs bear given normal forces (m,) [N], not negative."""
+        """Depth [m] of the springs under given normal forces (m,) [N], not negative."""
         slopes = np.cumsum(self.stiffness)
         corners = np.concatenate([[0.0], np.cumsum(slopes[:-1] * np.diff(self.gap))])
         beyond = np.maximum(force - corners[-1], 0.0) / slopes[-1]

@@ -41,7 +41,7 @@ class RateDependentWork:
     work : float
         w_0 [J/m^2] of slow opening, and of closing; positive.
     reference_speed : float
-        v_0 [m/s], at which opening takes twice as much; positive.
+        v_0 [m/s], at which the work of opening is twice that at rest; positive.
     exponent : float
         n [-], from 0.001 to 1.
 
@@ -94,9 +94,9 @@ class SaturatingWork:
     work : float
         w_0 [J/m^2] of slow opening, and of closing; positive.
     fast_work : float
-        w_inf [J/m^2] of the fastest opening, more than `work`; a crack that is driven by more runs at once.
+        w_inf [J/m^2], the limit for fast opening, more than `work`; a crack with a larger driving energy jumps.
     reference_speed : float
-        v_0 [m/s], at which opening takes the mean of both; positive.
+        v_0 [m/s], at which the work of opening is the mean of both limits; positive.
     exponent : float
         n [-], from 0.001 to 1.
 

@@ -69,7 +69,7 @@ class Rod:
     radius : float
         b [m], positive; the contact must be narrower.
     length : float
-        Up to where voltage or temperature are taken [m], positive; a few radii at least.
+        Distance from the contact up to which voltage or temperature apply [m], positive; at least a few radii.
 
     Raises
     ------

@@ -22,7 +22,7 @@ __all__ = ["TransverselyIsotropicHalfSpace"]
 
 @value
 class TransverselyIsotropicHalfSpace(HomogeneousMedium):
-    """Two half-spaces of which at least one is transversely isotropic about the surface normal.
+    """Two half-spaces, at least one of them transversely isotropic about the surface normal.
 
     Parameters
     ----------

@@ -72,7 +72,8 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
     Raises
     ------
     InvalidInput
-        If there is no layer, nothing relaxes, or a solid flows for ever or has an infinite modulus at first.
+        If there is no layer, no part is viscoelastic, or a solid is a liquid at long times or has an infinite modulus
+        at short times.
 
     References
     ----------
@@ -144,7 +145,7 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
 
     @property
     def thickness(self) -> float:
-        """Depth below which nothing changes any more [m]."""
+        """Depth below which the body is homogeneous [m]."""
         return float(self.bodies.thickness)
 
     def waves(self, part: Wave, xi: Array, s: ComplexArray) -> ComplexArray:

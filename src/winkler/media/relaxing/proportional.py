@@ -55,7 +55,7 @@ class RelaxingInProportion(RelaxingLayers):
     solid : ViscoelasticSolid
         Only the course of its shear modulus G(t) counts; Poisson's ratios are those of the medium.
     shear : float
-        The shear modulus of the solid to which the moduli of the medium belong [Pa]: its relaxed one, its glassy one,
+        Shear modulus [Pa] of the solid that corresponds to the moduli of the medium: the relaxed one, the glassy one,
         or any other.
 
     Raises
@@ -99,7 +99,7 @@ class RelaxingInProportion(RelaxingLayers):
 
     @property
     def thickness(self) -> float:
-        """Depth below which nothing changes any more [m], of layers and graded bodies."""
+        """Depth below which the body is homogeneous [m], for layers and graded bodies."""
         return float(cast(PlaneMedium, self.medium).thickness)
 
     @property

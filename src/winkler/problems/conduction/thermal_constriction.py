@@ -34,8 +34,8 @@ class ThermalConstriction(PerLoad[Q]):
     Parameters
     ----------
     contact : Indentation
-        How they are pressed together, on any bed: Foundation, PlaneFoundation, EllipticFoundation, or MeasuredBed (a
-        contact of any shape); of many loads, the results have their shape.
+        The mechanical contact, on a Foundation, PlaneFoundation, EllipticFoundation, or MeasuredBed (a contact of any
+        shape). For an array of loads the results have its shape.
     conductors : HeatConductors
         What the bodies conduct, and how well heat passes between the surfaces.
     temperature_drop : float

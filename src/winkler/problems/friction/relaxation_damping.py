@@ -91,7 +91,7 @@ class RelaxationDamper:
     needs_round: ClassVar[str] = ""
 
     def solve(self) -> RelaxationDamperSolution:
-        """Return the damper, and the spring beside it.
+        """Return the damper, and the spring in parallel with it.
 
         Returns
         -------

@@ -49,7 +49,7 @@ class TransientHeating(RubbingBodies):
     Parameters
     ----------
     contact : Indentation or EllipticIndentation
-        How they are pressed together, by one load: a round contact, or bodies with two curvatures each on a homogeneous
+        The mechanical contact under one load: a round contact, or bodies with two curvatures each on a homogeneous
         medium.
     law : Coulomb
         Friction, with a finite coefficient.
@@ -67,8 +67,8 @@ class TransientHeating(RubbingBodies):
     InvalidInput
         If the load is an array, a time is not positive, the speed negative, or as in `FrictionHeating`.
     OutsideValidity
-        If the bed of a contact stands for one that is not known to be round, or bodies with two curvatures each are
-        layered or graded.
+        If the foundation represents a contact that may not be round, or bodies with two curvatures each are layered or
+        graded.
 
     References
     ----------
@@ -132,7 +132,7 @@ class TransientHeating(RubbingBodies):
         Raises
         ------
         OutsideValidity
-            If the load is refused by `Indentation`, or the pressure is not known in the medium.
+            If `Indentation` does not support the load, or the pressure is not known in the medium.
         NotConverged
             If the profile is too rough.
         """

@@ -35,7 +35,7 @@ class RelaxationSpectrum:
     data : RelaxationData or DynamicData
         The measurement.
     fluid : bool, optional
-        Whether nothing remains of the modulus at last.
+        Whether the modulus tends to zero at long times.
     per_decade : int, optional
         Relaxation times in each decade, 2 to 12.
 

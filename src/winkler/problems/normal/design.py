@@ -48,7 +48,7 @@ part of the greatest force; what it misses of less is stated."""
 
 
 def design_profile(depth: ArrayLike, force: ArrayLike, medium: Medium) -> Designed:
-    """Return the body of revolution whose indentation follows a prescribed force curve.
+    """Return the body of revolution with a prescribed force-depth curve.
 
     A measured curve may be given as well: a convex one is fitted through the points, and how far it misses them (root
     mean square, relative to the maximum force) is the `tolerance` of the body.
@@ -132,8 +132,8 @@ def design_for_pressure(r: ArrayLike, pressure: ArrayLike, medium: Medium) -> De
     InvalidInput
         If the pressure is negative somewhere or the radii do not rise from 0.
     OutsideValidity
-        If the medium cannot be inverted, the pressure on layers ends above zero, or a contact with this pressure
-        could not have grown from a point (the springs would be deepest away from the axis).
+        If the medium cannot be inverted, or the pressure on layers ends above zero. If a contact with this pressure
+        cannot grow from a point (the springs would be deepest away from the axis).
     """
     if body_of.exponent_of(medium) == 1.0:
         raise OutsideValidity(

@@ -37,10 +37,10 @@ class YieldOnset:
     Parameters
     ----------
     bed : Bed
-        Springs over a `HalfSpace`, a `CoatedHalfSpace`, a `SlidingFilm` or a `StackedHalfSpace` of which at least one
-        isotropic body, layer or base was given a strength.
+        Springs over a `HalfSpace`, a `CoatedHalfSpace`, a `SlidingFilm` or a `StackedHalfSpace`; at least one isotropic
+        body, layer or base has a strength.
     friction : Coulomb, optional
-        The contact slides everywhere, and drags each body by mu p; none unless given.
+        Coulomb's law of a contact that slides everywhere, with the traction mu p on each body; no friction by default.
 
     Raises
     ------
@@ -79,9 +79,9 @@ class YieldOnset:
         Raises
         ------
         OutsideValidity
-            If the body yields at the first touch (a sharp apex, edge or rim), never, not within the profile's reach, or
-            where the contact is not a disc; under the edge of an incompressible truncated body; on layers, if the
-            contact would be thousands of times as wide as the uppermost layer is thick.
+            If the body yields at first touch (a sharp apex, edge or rim), never, or not within the reach of the
+            profile. If the contact is not a disc, or under the edge of an incompressible truncated body. On layers, if
+            the contact would be thousands of times wider than the uppermost layer is thick.
         NotConverged
             If the contact radius at the onset is not found.
         """
@@ -138,8 +138,8 @@ class YieldOnsetSolution:
     depth, force, radius : float
         [m], [N], [m] when yielding begins.
     r, z : float
-        Distance from the axis and depth [m] where it begins; z > 0 in the first body, z < 0 in the second, on whose
-        surface it is -0.0.
+        Distance from the axis and depth [m] of the onset; z > 0 in the first body, z < 0 in the second, whose surface
+        is -0.0.
     x : float
         The same distance in the direction in which the surface of that body is dragged [m]: negative behind the middle.
         Without friction it is `r`.

@@ -115,9 +115,9 @@ class PoroelasticSolution:
     force : ndarray, (steps,)
         F_N [N].
     radius : float
-        a [m], taken as constant.
+        a [m], assumed constant.
     first_force, last_force : float
-        F_N [N] at once, and when the liquid is at rest.
+        F_N [N] immediately after loading, and after the liquid has come to rest.
     """
 
     __words__ = words(

@@ -51,8 +51,8 @@ class Seal(PerLoad[Q]):
     Raises
     ------
     InvalidInput
-        If a number is not positive, or the map has more than 2048 x 2048 pixels or fewer than eight along a side, or is
-        periodic with an odd number of them.
+        If a number is not positive, or the map has more than 2048 x 2048 pixels or fewer than eight along a side. If
+        the map is periodic with an odd number of pixels.
 
     References
     ----------

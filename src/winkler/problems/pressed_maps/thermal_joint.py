@@ -50,7 +50,7 @@ class ThermalJoint(PerLoad[Q]):
     gap_conductivity : float, optional
         Of what fills the gap [W/(m K)]: 0.026 of air, 0.6 of water; 0 (the default) of a vacuum.
     jump_distance : float, optional
-        By how much rarefied gas widens the gap [m], both walls together: some 0.4 um of air at 1 bar on metals.
+        Temperature jump distance of rarefied gas [m], sum over both walls: some 0.4 um for air at 1 bar on metals.
 
     Raises
     ------
@@ -172,8 +172,8 @@ class ThermalJointSolution(PerLoad[Q]):
     depth, force, area, mean_gap : float or ndarray
         As in `SurfaceContactSolution` [m], [N], [m^2], [m].
     conductance : float or ndarray
-        Heat rate per drop of temperature [W/K].  Of a periodic map on one period, and without the drop that the bodies
-        have where nothing lies between them: infinite where it touches all over without an interface.
+        Heat rate per drop of temperature [W/K].  For a periodic map: of one period, without the temperature drop of the
+        same bodies in perfect contact. It is infinite for full contact without an interface.
     spot_conductance, gap_conductance : float or ndarray
         What passes through the spots that touch, and through the gap, per drop of temperature [W/K].
     """

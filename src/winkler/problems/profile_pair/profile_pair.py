@@ -64,8 +64,7 @@ DepthGradedHalfSpace or GradedHalfSpace
         Of revolution where z = 0 [m]: the axis lies as far below the lower, or above the upper profile.  Infinite (the
         default) of a straight body, as a rail.
     rolled_radius : float, optional
-        How far the pair rolls while the upper body turns by one radian [m], for the creepages; by default (zero) its
-        radius.
+        Rolling distance per radian of the upper body [m], for the creepages; by default (zero) its radius.
     pixels : int, optional
         Along each side of every window of contact.
     tolerance : float, optional
@@ -188,7 +187,7 @@ class ProfilePairSolution:
     height : float
         Where z = 0 of the upper profile stands above that of the lower one [m].
     patches : tuple of ProfilePatch
-        Where the bodies touch, the one that bears most first.
+        The patches of contact, that with the highest load first.
     cut : bool
         Whether a contact reaches the end of a profile.
     windows : int
@@ -227,7 +226,7 @@ class ProfilePairSolution:
 
     @property
     def angle(self) -> float:
-        """Contact angle [rad] of the patch that bears most."""
+        """Contact angle [rad] of the patch with the highest load."""
         return self.patches[0].angle
 
     @property

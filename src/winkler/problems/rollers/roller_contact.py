@@ -63,7 +63,7 @@ class RollerContact(PerLoad[Q]):
 DepthGradedHalfSpace or GradedHalfSpace
         Both bodies; the E* of a logarithmic crown is their `modulus`, of layers that of the uppermost ones.
     load : Force or Depth
-        What is prescribed; an array is taken load after load.  A depth is the approach of the bodies in the middle.
+        Prescribed load; an array is solved load by load.  A depth is the approach of the bodies in the middle.
     alignment : Tilt or Moment, optional
         The tilt, none unless given, or the moment under which the roller finds its tilt.
     elements : int, optional
@@ -72,8 +72,8 @@ DepthGradedHalfSpace or GradedHalfSpace
     Raises
     ------
     InvalidInput
-        If the ends do not fit on the roller, a force is not positive, a depth does not make the bodies touch, a moment
-        would need pulling, or elements are out of range.
+        If the ends do not fit on the roller, a force is not positive, or the bodies do not touch at a given depth. If a
+        moment would need tension, or elements are out of range.
 
     References
     ----------

@@ -60,12 +60,11 @@ class SimplifiedRolling(PerLoad[Q]):
     Parameters
     ----------
     footprint : ContactEllipse, CurvedBodies or CurvedPair
-        The contact, or the curvatures it comes from.
+        The contact ellipse, or the curvatures of the bodies.
     medium : HalfSpace or TransverselyIsotropicHalfSpace
         The pair of bodies.
     friction : Coulomb or FallingFriction
-        A coefficient that is positive and finite, or one that falls with the velocity at which the bodies, were they
-        rigid, would slip.
+        A positive, finite coefficient, or one that falls with the slip velocity of rigid bodies.
     creepage : Creepage
         Longitudinal, lateral and spin, also arrays.
     load : Force
@@ -73,8 +72,8 @@ class SimplifiedRolling(PerLoad[Q]):
     count : int, optional
         Strips across the contact, and steps along each.
     speed : float, optional
-        Of rolling [m/s], for friction that falls with the velocity of slip, which is creepage times speed; under
-        Coulomb's law forces do not depend on it.
+        Rolling speed [m/s], for friction that falls with the slip velocity (creepage times speed). Under Coulomb's law
+        forces do not depend on it.
 
     Raises
     ------
@@ -173,7 +172,7 @@ class SimplifiedRollingSolution(CreepageSolution[Q]):
     problem : SimplifiedRolling
         The problem that was solved.
     longitudinal_force, lateral_force : float or ndarray
-        F_x and F_y [N], with which the second body drags the first.
+        F_x and F_y [N] on the first body.
     moment : float or ndarray
         M_z [N m], with which it turns it: an approximation of its own, see `validity`.
     longitudinal_semi_axis, lateral_semi_axis : float

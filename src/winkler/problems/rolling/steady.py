@@ -47,7 +47,7 @@ class Rolling(PerLoad[Q]):
     Parameters
     ----------
     bed : Bed
-        The springs: Foundation(profile, medium); on layers, gradings and power laws with `Kalker`.
+        The foundation: Foundation(profile, medium); on layers, graded bodies and power laws with `Kalker`.
     friction : Coulomb
         Its coefficient positive and finite.
     creepage : Creepage
@@ -137,7 +137,7 @@ class RollingSolution(CreepageSolution[Q]):
     problem : Rolling
         The problem that was solved.
     longitudinal_force, lateral_force : float or ndarray
-        F_x and F_y [N], with which the second body drags the first.
+        F_x and F_y [N] on the first body.
     stick_share : float or ndarray
         Part of the line of springs that sticks [-].
     contact : IndentationSolution

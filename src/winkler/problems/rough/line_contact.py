@@ -74,13 +74,13 @@ class RoughContact(PerLoad[Q]):
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
         Both bodies.
     side : float
-        Of the square [m]: waves longer than the line of 1.1523 sides are left out.
+        Side of the square [m]; waves longer than the profile line of 1.1523 sides are omitted.
     load : Force or Depth
         What is prescribed, positive; depths from the first touch of the highest point.
     realisations : int, optional
         How many random lines.
     count : int, optional
-        Springs in each; waves shorter than two of them are left out.
+        Number of springs in each; waves shorter than two springs are omitted.
     seed : int, optional
         Of the phases; equal seeds, equal results.
 

@@ -51,13 +51,13 @@ class RoughIndentation(PerLoad[Q]):
     bed : Foundation
         The smooth body, on an elastic half-space, layered, graded or neither.
     length : float
-        Of the line [m]; wider than the contact. Waves longer than it are left out.
+        Of the line [m]; wider than the contact. Longer waves are omitted.
     load : Force or Depth
         What is prescribed, positive; depths from the first touch of the highest point.
     realisations : int, optional
         How many random lines.
     count : int, optional
-        Springs in each; waves shorter than two of them are left out.
+        Number of springs in each; waves shorter than two springs are omitted.
     seed : int, optional
         Of the phases; equal seeds, equal results.
 
@@ -149,7 +149,7 @@ class RoughIndentation(PerLoad[Q]):
         InvalidInput
             If no wave of the spectrum fits the line.
         OutsideValidity
-            If the contact reaches the end of the line, or of what is known of the body.
+            If the contact reaches the end of the one-dimensional foundation, or of the known range of the body.
         """
         return RoughIndentationSolution(self, **ensemble(self.lines(), self.load)._asdict())
 
@@ -178,7 +178,7 @@ class RoughIndentationSolution(RoughSolution[Q]):
 
     @property
     def area(self) -> Q:
-        """True area of contact [m^2]: Persson's, ring by ring under the pressures of the smooth body."""
+        """True contact area [m^2]: Persson's, for each annulus with the pressure of the smooth body."""
         bed, steep = self.problem.bed, slope_modulus(self.problem.medium, self.problem.spectrum)
         depths, radii = at_force(bed, np.ravel(self.force))
         nodes, weights = gauss_legendre(NODES)

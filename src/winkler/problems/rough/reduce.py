@@ -209,8 +209,8 @@ class ReductionSolution:
         The springs; `bed.scatter` is the root mean square by which they miss the computed forces [N].  They are sheared
         along x, those of `bed.turned` along y.
     misfit : float
-        Bound on the difference between the forces of springs and map at any depth, over the maximum force: both bend
-        upwards, which leaves little uncertainty between computed contacts.
+        Bound on the difference between the forces of springs and map at any depth, over the maximum force. Both force
+        curves are convex, which leaves little uncertainty between computed contacts.
     depth, force, stiffness : ndarray, (n,)
         The contacts behind them [m], [N], [N/m].
     """
@@ -224,7 +224,7 @@ class ReductionSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """How well the springs bear the computed forces, and what they do not determine."""
+        """Accuracy of the forces of the springs, and quantities that the springs do not represent."""
         bodies = () if self.bed.homogeneous else cast(Medium, self.problem.medium).notes
         return (
             Note(
@@ -269,7 +269,7 @@ class ReductionSolution:
 
 
 def reduce(topography: Topography, medium: MappedMedium, depth: float, *, tolerance: float = 1e-3) -> DirectionalBed:
-    """Return springs that bear forces like a height map.
+    """Return a spring foundation with the force-depth curve of a height map.
 
     Parameters
     ----------

@@ -34,7 +34,8 @@ def _none() -> Array:
 class ReducedBed(DirectionalBed):
     """A spring foundation with the force-depth curve of a height map.
 
-    It is computed from some ten contact solutions by boundary elements. After that a force or depth takes milliseconds.
+    It is computed from some ten contact solutions by boundary elements. After that each force or depth is computed in
+    milliseconds.
 
     Parameters
     ----------
@@ -43,7 +44,7 @@ class ReducedBed(DirectionalBed):
     pressed_into : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
         Both bodies.
     depth : float
-        Up to which depth d [m] the springs are known.
+        Maximum depth d [m] of the springs.
     tolerance : float, optional
         Maximum error of F between the computed contacts, over the maximum F.
 

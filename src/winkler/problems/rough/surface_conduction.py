@@ -62,7 +62,7 @@ class SurfaceConduction(PerLoad[Q]):
     conductors : ElectricalConductors
         What the bodies conduct, and the film between them; thick ones, plated or not.
     realisations : int, optional
-        How many random lines with the spectrum of the map are pressed beside it.
+        Number of random profiles with the spectrum of the map that are pressed for comparison.
     seed : int, optional
         Of the first of them.
 
@@ -206,13 +206,13 @@ class SurfaceConductionSolution(PerLoad[Q]):
     least_stiffness, greatest_stiffness : float or ndarray
         Bounds of dF/dd [N/m]; the first is zero between elastic layers, the second infinite of a periodic map.
     film_excess : float or ndarray
-        What the film adds to the resistance [ohm]: its area resistance over the area of the pixels in contact, and what
-        it spreads the current.
+        Additional resistance of the film [ohm]: its area resistance over the area of the pixels in contact, and the
+        effect of spreading the current.
     resistance : float or ndarray
         R [ohm] by boundary elements.
     least_resistance, greatest_resistance : float or ndarray
-        Bounds of R [ohm].  The lower one of a periodic map is what the film adds.  Through platings and between elastic
-        layers it is the resistance in full contact, and the upper one infinite.
+        Bounds of R [ohm].  The lower bound of a periodic map is the resistance of the film.  Through platings and
+        between elastic layers it is the resistance in full contact, and the upper one infinite.
     """
 
     __words__ = words(
@@ -242,7 +242,9 @@ class SurfaceConductionSolution(PerLoad[Q]):
 
     @property
     def line_resistance(self) -> Q:
-        """R [ohm] by the lines; nan through platings and between elastic layers, of which lines tell no resistance."""
+        """R [ohm] of the one-dimensional foundations; nan with platings or elastic layers, for which they yield no
+        resistance.
+        """
         return shaped(self.problem.of_stiffness(self.line_stiffness, self.film_excess))
 
     @property

@@ -130,8 +130,8 @@ class SurfaceContact(PerLoad[Q]):
     Parameters
     ----------
     topography : Topography
-        Heights of both bodies together, up towards the other one; the medium is flat.  A map that stands alone ends at
-        its border like a stamp, a periodic one goes on for ever.
+        Heights of both bodies together, up towards the other one; the medium is flat.  A non-periodic map ends at its
+        border like a punch; a periodic one repeats without end.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
         Both bodies.
     load : Force or Depth
@@ -145,8 +145,8 @@ class SurfaceContact(PerLoad[Q]):
     Raises
     ------
     InvalidInput
-        If heights are missing or flat, the medium is another one, a load is not positive, the hardness or the
-        tolerance is out of range, or the map takes more memory than there is.
+        If heights are missing or flat, the medium has the wrong type, or a load is not positive. If hardness or
+        tolerance is out of range, or the map needs more memory than is free.
 
     References
     ----------
@@ -219,7 +219,7 @@ class SurfaceContact(PerLoad[Q]):
         Raises
         ------
         InvalidInput
-            If the map takes more memory than is free, or `arrays` needs array-api-compat, which is not installed.
+            If the map needs more memory than is free, or `arrays` needs array-api-compat, which is not installed.
         NotConverged
             If a contact is not solved to the tolerance, or the contrasts of the layers are too large.
         OutsideValidity

@@ -66,24 +66,25 @@ class SurfaceAdhesion:
     Parameters
     ----------
     topography : Topography
-        Heights of both bodies together, up towards the other one; a periodic map goes on for ever.
+        Sum of the heights of both bodies, positive towards the other one; a periodic map repeats without end.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
-        Both bodies.  Of a body whose surface has another modulus than what lies below, the zone of attraction is that
-        on the surface.
+        Both bodies.  If the surface of a body has another modulus than the material below, the cohesive zone follows
+        from the surface modulus.
     law : ShortRange, Dugdale, ExponentialAttraction or LennardJones
-        What attracts them.  In place of ShortRange (JKR) stands an exponential law whose range is the shortest that the
-        pixels resolve; Dugdale's stress ends over 0.8 of its range instead of at once.
+        What attracts them.  ShortRange (JKR) is replaced by an exponential law with the shortest range that the pixels
+        resolve. Dugdale's stress decreases over 0.8 of its range instead of at once.
     path : Depth
-        Displacements d [m], one after the other; zero where the highest point would touch (under `LennardJones`: be at
-        its spacing) without deformation, negative apart.  The bodies are brought to the first one from apart.
+        Displacements d [m] in sequence. Zero is first touch of the highest point without deformation (under
+        `LennardJones` at its equilibrium spacing); negative values are separations.  The bodies are brought to the
+        first one from apart.
     tolerance : float, optional
         Maximum traction out of balance over the maximum traction at which a state counts as solved.
 
     Raises
     ------
     InvalidInput
-        If heights are missing, the path is no row, the law takes more in opening than in closing, or the map is too
-        large.
+        If heights are missing, the path is not a sequence, the work of opening exceeds that of closing, or the map is
+        too large.
     OutsideValidity
         If the zone of attraction, E* w / strength^2, spans fewer pixels than the law needs, or a periodic map closes.
 
@@ -147,7 +148,7 @@ class SurfaceAdhesion:
         Raises
         ------
         InvalidInput
-            If the map takes more memory than is free.
+            If the map needs more memory than is free.
         NotConverged
             If no state of rest is found to the tolerance.
         """
@@ -277,7 +278,7 @@ class SurfaceAdhesionSolution(MapAdhesion[Array], Looped):
 
     @property
     def pull_off_area(self) -> float:
-        """Area of what touches at the lowest force [m^2]."""
+        """Contact area at the lowest force [m^2]."""
         return float(self.area[int(np.argmin(self.force))])
 
     @property

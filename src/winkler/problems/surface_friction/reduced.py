@@ -245,5 +245,5 @@ class ReducedFrictionSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """How well the springs bear the forces, how far they are off under friction, and what the elements leave."""
+        """Accuracy of the springs: forces, errors under friction, and the error of the boundary elements."""
         return (self.reduction.validity[0], *direction_notes(self.bed), *self.along.validity)

@@ -50,22 +50,22 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
     Parameters
     ----------
     contact : SurfaceLoad or SurfaceRolling
-        Pressures and tractions on the first body, mu p along x where the second one slides over it towards +x; or a
-        problem of rolling, with one creepage or many.
+        Pressures and tractions on the first body: mu p along x if the second body slides over it towards +x. Or a
+        rolling problem with one or more creepages.
     conductors : HeatConductors
         How the bodies conduct heat: two thick bodies of ThermalConductor, a perfect touch between them.
     first_speed, second_speed : float, optional
-        Velocities along x at which the surfaces of the bodies pass the contact [m/s]: of a SurfaceLoad, whose bodies
-        rest unless they are given.  Bodies that roll have the speed of their SurfaceRolling.
+        Velocities along x at which the surfaces pass the contact [m/s], for a SurfaceLoad; by default the bodies are at
+        rest.  Bodies that roll have the speed of their SurfaceRolling.
     first_bulk_temperature, second_bulk_temperature : float, optional
-        Temperatures of the bodies far from the contact [K], counted from a common level; both zero unless given, so
-        that temperatures are rises.
+        Temperatures of the bodies far from the contact [K], relative to a common level. With the default of zero all
+        temperatures are rises.
 
     Raises
     ------
     InvalidInput
-        If a body does not conduct heat, the map is periodic or one pixel wide, nothing presses, tractions push the
-        bodies on, a number is not finite, the speed of rolling is zero, or bodies that roll are given other speeds.
+        If a body does not conduct heat, the map is periodic or one pixel wide, or there is no pressure. If tractions
+        drive the bodies, a number is not finite, the rolling speed is zero, or rolling bodies have other speeds.
 
     References
     ----------
@@ -307,7 +307,8 @@ class SurfaceFrictionHeatingSolution(PerLoad[Q]):
 
     @property
     def creep_power(self) -> Q:
-        """What the creepages take [W], forces and moment times speed; of bodies that slide the traction times velocity.
+        """Frictional power [W]: forces and moment times creepages and speed; for sliding bodies traction times
+        velocity.
 
         It is `heat_rate`, up to the error of the pixels.
         """

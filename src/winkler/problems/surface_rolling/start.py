@@ -55,8 +55,8 @@ class SurfaceRollingStart:
     topography, medium, load, friction : Topography, MappedMedium, Force or Depth, Coulomb
         As of `SurfaceRolling`.
     drive : ShearForce, CreepForce or Creepage
-        What stays as it is while the bodies roll: a force F_x, or (F_x, F_y), which pushes the bodies before they roll,
-        also with a spin or moment; or creepages, from bodies at rest without a shear force.
+        The constant load during rolling: a force F_x, or (F_x, F_y), applied before rolling, also with a spin or
+        moment; or creepages, from rest without a shear force.
     distance : float
         How far the contact rolls [m]; a state for each pixel.
     tolerance : float, optional
@@ -117,7 +117,7 @@ class SurfaceRollingStart:
         Raises
         ------
         OutsideValidity
-            If the contact reaches the border of the map, or friction does not bear the force.
+            If the contact reaches the border of the map, or the force exceeds the friction limit.
         NotConverged
             If stick and slip are not found to the tolerance.
         """

@@ -52,12 +52,12 @@ class SurfaceWear:
     Parameters
     ----------
     contact : SurfaceContact
-        The map before wear and how it is pressed: one force, or one depth at which it is held.
+        The map before wear and its load: one force, or one constant depth.
     wear : Archard
         How fast the map wears.
     distance : float or ndarray, (steps,)
-        After which distances slid [m] the contact is returned, back and forth counted together; one number stands for
-        the whole distance, and 41 states up to there.
+        Sliding distances [m] after which the contact is returned, summed over both directions; one number gives 41
+        states up to it.
     tolerance : float, optional
         Maximum error of the worn depth in one step, over the maximum worn depth.
 
@@ -139,8 +139,8 @@ class SurfaceWear:
         Parameters
         ----------
         start : SurfaceWearState, optional
-            A state of this problem, or of the same one with other distances, that was yielded before: the march goes on
-            after it, and yields the same numbers as if it had never stopped.
+            A state of this problem, or of the same one with other distances, from an earlier run. The computation
+            continues from it, with the same numbers as without interruption.
 
         Raises
         ------
@@ -237,7 +237,7 @@ class SurfaceWearSolution(MapWear[Array]):
     problem : SurfaceWear
         The problem that was solved.
     first, last : SurfaceWearState
-        The states at the first and the last distance, with their maps; ``problem.steps(start=last)`` goes on.
+        The states at the first and the last distance, with their maps; ``problem.steps(start=last)`` continues.
     """
 
     __words__ = words(
@@ -252,7 +252,7 @@ class SurfaceWearSolution(MapWear[Array]):
 
     @property
     def mean_pressure(self) -> Array:
-        """F / A [Pa], ``(steps,)``; zero where a map that is held has lost its contact."""
+        """F / A [Pa], ``(steps,)``; zero if a map at constant depth has lost contact."""
         return np.divide(self.force, self.area, out=np.zeros_like(self.force), where=self.area > 0.0)
 
     def worn_topography(self) -> Topography:

@@ -117,17 +117,18 @@ class ViscoelasticAdhesion:
         Foundation(profile, medium); a medium that relaxes counts as relaxed, and RelaxingInProportion must state the
         moduli of that state.
     law : RateDependentWork or SaturatingWork
-        What opening takes at which speed.
+        The work of opening as a function of the speed.
     path : Path
         Positions of the far end of the machine over time, Path(time, Depth([...])).
     machine_stiffness : float, optional
-        k_m [N/m] of the spring between far end and contact; infinite for fixed grips, a soft one is almost a dead load.
+        k_m [N/m] of the spring between the drive and the contact; infinite for fixed grips. A soft spring is almost a
+        dead load.
 
     Raises
     ------
     InvalidInput
-        If the bed flows for ever, its moduli are not the relaxed ones, the law has no speed, the path prescribes
-        forces or moves along the surface, or the stiffness is not positive.
+        If the body is a liquid at long times, its moduli are not the relaxed ones, or the law does not depend on speed.
+        If the path prescribes forces or tangential motion, or the stiffness is not positive.
 
     References
     ----------
@@ -211,8 +212,8 @@ class ViscoelasticAdhesion:
         Raises
         ------
         OutsideValidity
-            If the contact grows beyond the known range of the profile or is not a disc: at that step, the states before
-            it have been yielded.
+            If the contact grows beyond the known range of the profile or is not a disc. The error is raised at that
+            step, after all earlier states.
         NotConverged
             If the edge cannot be followed.
         """

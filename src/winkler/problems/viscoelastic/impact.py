@@ -117,7 +117,7 @@ class ViscoelasticImpact:
         OutsideValidity
             If the body is pressed beyond the known range of its profile, or its contact is not a disc.
         NotConverged
-            If the restitution does not settle, or the body neither comes to rest nor leaves.
+            If the restitution does not converge, or the body neither comes to rest nor leaves.
         """
         series = relaxation_of("", self.bed)
         scale = self._scale(series)
@@ -206,7 +206,7 @@ class ViscoelasticImpactSolution:
     problem : ViscoelasticImpact
         The problem that was solved.
     time : ndarray, (steps,)
-        Since first touch [s]; the last one is when the last spring lets go, or the body rests.
+        Time since first touch [s], up to the separation of the last spring, or rest.
     depth : ndarray, (steps,)
         d [m].
     velocity : ndarray, (steps,)
@@ -249,7 +249,7 @@ class ViscoelasticImpactSolution:
 
     @property
     def dissipation(self) -> float:
-        """Kinetic energy that the impact takes [J]; part of it leaves as the surface recovers."""
+        """Kinetic energy absorbed by the impact [J]; part of it is released later as the surface recovers."""
         if self.restitution == 0.0:
             return float(self.kinetic_energy[0])
         return float(self.stored_energy[-1] + self.bulk_loss[-1])

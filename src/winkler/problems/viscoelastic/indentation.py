@@ -158,8 +158,8 @@ class ViscoelasticIndentation:
         Raises
         ------
         OutsideValidity
-            If the body is pressed beyond the known range of its profile, is moved suddenly against a dashpot, or the
-            contact is not a disc: at that step, the states before it have been yielded.
+            If the depth exceeds the known range of the profile, or a dashpot is loaded by a step. If the contact is not
+            a disc. The error is raised at that step, after all earlier states.
         NotConverged
             If the depth under a force is not found.
         """

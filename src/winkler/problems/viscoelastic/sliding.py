@@ -78,8 +78,7 @@ class SlidingResistance(PerLoad[Q]):
     speed : float or ndarray
         v [m/s], positive; the results have its shape.
     count : int, optional
-        Into how many parts the widest contact is cut; the error falls with its square, and is none of a paraboloid and
-        a cone.
+        Number of parts of the widest contact. The error is of second order; for a paraboloid and a cone it is zero.
 
     Raises
     ------
@@ -135,8 +134,8 @@ class SlidingResistance(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If the load is beyond the known range of the profile, the contact reaches a rim or is not a disc, or the
-            body touches again behind.
+            If the load exceeds the known range of the profile, the contact reaches a rim or is not a disc, or the body
+            touches again behind the contact.
         NotConverged
             If the depth under a force is not found.
         """
@@ -212,7 +211,7 @@ class SlidingResistanceSolution(PerLoad[Q]):
         Parameters
         ----------
         index : int or tuple of int, optional
-            Which one; left out if there is only one.
+            Index of the load; not needed if there is only one.
 
         Raises
         ------

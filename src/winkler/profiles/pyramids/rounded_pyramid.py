@@ -52,7 +52,7 @@ LARGEST_ERROR = 3e-4
 
 @value
 class RoundedPyramid(PowerPieces):
-    """A pyramid of three or four faces whose apex and edges are rounded: a blunt AFM tip.
+    """A pyramid of three or four faces with rounded apex and edges: a blunt AFM tip.
 
     Force, depth and stiffness on a homogeneous half-space are those of the pyramid within 0.03 %, from the paraboloid
     at the apex to the sharp pyramid far above.
@@ -120,7 +120,7 @@ class RoundedPyramid(PowerPieces):
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """What the body of revolution has of the pyramid, and what it has not."""
+        """Properties of the pyramid that the body of revolution represents, and those that it does not."""
         return (
             Note(
                 Assumption.SHAPE,

@@ -29,7 +29,7 @@ class RandomTopography(Topography):
     lengths : array_like, (2,)
         Lengths [m] of the map.
     spectrum : Spectrum
-        C(q): SelfAffine or PowerSpectrum; waves longer than the map, or shorter than two pixels, are left out.
+        C(q): SelfAffine or PowerSpectrum; waves longer than the map, or shorter than two pixels, are omitted.
     shape : tuple of int
         Pixels along both directions, (nx, ny).
     seed : int, optional

@@ -19,9 +19,9 @@ class Spikes:
     grains : ndarray of bool, (nx, ny)
         Spots up to some four pixels wide that lie far above or below the heights around.
     scars : ndarray of bool, (nx, ny)
-        Runs of pixels along either direction, up to three pixels wide, that leap out of both neighbours and back.
+        Runs of pixels along either direction, up to three pixels wide, with a step up and a step back.
     height : ndarray, (nx, ny)
-        By how much the heights differ [m] from the surface bridged without them; zero where nothing was found.
+        Deviation of the heights [m] from the surface without spikes; zero elsewhere.
     """
 
     __words__ = words(
