@@ -134,7 +134,7 @@ class EllipticFoundation(UnderProfile):
         if not isinstance(self.medium, HalfSpace | ViscoelasticHalfSpace):
             raise OutsideValidity(
                 f"EllipticFoundation: the deformation of a {type(self.medium).__name__} along an ellipse is not "
-                "known to winkler; give HalfSpace."
+                "implemented; give HalfSpace."
             )
         normal, disc = self.medium.normal_stiffness(x), self.medium.tangential_stiffness(x)
         return np.asarray(1.0 / (1.0 / normal + 2.0 * self.footprint.shear_share * (1.0 / disc - 1.0 / normal)))

@@ -130,8 +130,8 @@ class PowerLawLineFoundation(LineBed):
         if part is Wave.COUPLING:
             if not self.similar:
                 raise OutsideValidity(
-                    "How pressure and traction act on each other on a GradedHalfSpace of two unlike bodies is not "
-                    "built in: give coupled = False."
+                    "Coupling of pressure and traction on a GradedHalfSpace of two different bodies is not "
+                    "implemented: give coupled = False."
                 )
             return np.zeros((x.size, nodes.size - 2))
         share, unit = self.along_share if part is Wave.ALONG else 1.0, float(nodes[-1] - nodes[0])
@@ -166,7 +166,7 @@ class PowerLawLineFoundation(LineBed):
     def zone_gap(self, half_width: Array, span: Array, strength: float) -> tuple[Array, Array]:
         """Refused: an attraction with a range is not known here."""
         raise OutsideValidity(
-            "An attraction with a range beside a strip on a GradedHalfSpace is not built in; give ShortRange(work)."
+            "An attraction with a range beside a strip on a GradedHalfSpace is not implemented; give ShortRange(work)."
         )
 
     def grid_transforms(self, nodes: Array) -> StripTransforms:

@@ -242,7 +242,7 @@ def _half_space(pressed: PressedSprings) -> HalfSpace:
     medium = pressed.bed.medium
     if not isinstance(medium, HalfSpace):
         raise OutsideValidity(
-            f"The fields of a traction inside a {type(medium).__name__} are not known to winkler; request the surface "
+            f"The fields of a traction inside a {type(medium).__name__} are not implemented; request the surface "
             "(restore(solution, r)), or use HalfSpace."
         )
     return medium

@@ -91,7 +91,8 @@ class Springs:
         gap[0] = max(gap[0], 0.0)
         if np.any(np.diff(gap) < 0.0):
             raise OutsideValidity(
-                "Springs: g falls somewhere below the reach; the contact is no disc that grows, give a smaller reach."
+                "Springs: g decreases somewhere below the reach, so the contact is not a growing disc; give "
+                "a smaller reach."
             )
         distinct = np.append(gap[1:] > gap[:-1], True)
         x, gap = x[distinct], gap[distinct]

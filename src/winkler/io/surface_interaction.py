@@ -155,7 +155,7 @@ def _rows(contact: SurfaceContactSolution) -> tuple[Array, Array, Array]:
         raise InvalidInput("write_surface_interaction: give a contact under at least two loads, each above the last.")
     if not np.all(np.isfinite(stiffness)):
         raise OutsideValidity(
-            "write_surface_interaction: under the greatest load the surfaces touch everywhere; leave such loads out."
+            "write_surface_interaction: under the maximum load the surfaces touch everywhere; leave such loads out."
         )
     return closure, pressure, stiffness
 

@@ -55,7 +55,7 @@ class TransverselyIsotropicHalfSpace(HomogeneousMedium):
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
         """Refused: stresses inside an anisotropic body are not known to winkler."""
         raise OutsideValidity(
-            "The stresses inside a TransverselyIsotropicHalfSpace are not known to winkler; request the surface "
+            "The stresses inside a TransverselyIsotropicHalfSpace are not implemented; request the surface "
             "(without z), or use HalfSpace."
         )
 

@@ -144,7 +144,9 @@ def _reach(row: Row[Goal, State], state: State, start: Goal, goal: Goal) -> Reac
             error, settled = row.apart(whole, two), halvings
             if error > 1.0:
                 if halvings == MOST_HALVINGS or tried > MOST_STEPS:
-                    raise NotConverged("the step does not settle, however often it is halved; give points in between.")
+                    raise NotConverged(
+                        "the step does not converge, however often it is halved; give points in between."
+                    )
                 ahead += [(goal, halvings + 1, None), (middle, halvings + 1, half)]
                 continue
             if row.order is not None:

@@ -110,5 +110,5 @@ def test_notes_say_what_is_assumed():
 def test_a_hold_far_too_short_does_not_settle():
     """Over a two-hundredth of the relaxation time the misfit is a valley without a bottom above the noise."""
     one = held(StandardSolid(300.0, 700.0, 2000.0), count=60)
-    with pytest.raises(wk.NotConverged, match="have not settled after 1000 predictions"):
+    with pytest.raises(wk.NotConverged, match="have not converged after 1000 predictions"):
         fit(one, model(StandardSolid(1e3, 1e3, 1.0)), free=STANDARD)

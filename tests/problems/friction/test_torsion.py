@@ -428,7 +428,7 @@ def test_what_is_refused():
         Torsion(BALL, Coulomb(MU), Path([0.0], Force(F), Shift(0.0)))
     with pytest.raises(InvalidInput, match="give Coulomb"):
         Torsion(BALL, 0.3, Path([0.0], Force(F), Angle(0.0)))
-    with pytest.raises(OutsideValidity, match="a Paraboloid; how rings slide around the axis on it is not built in"):
+    with pytest.raises(OutsideValidity, match="a Paraboloid; slip annuli of a twisted contact are implemented for"):
         twisted_medium(Paraboloid(R))
     gibson = Foundation(Paraboloid(R), GradedHalfSpace(PowerLawGraded(1.0, 1.0, exponent=1.0, poisson=0.5)))
     with pytest.raises(OutsideValidity, match="does not resist a twist"):

@@ -286,7 +286,7 @@ def test_what_is_said_of_it():
     assert worst(found.validity) in (Standing.ASYMPTOTIC, Standing.APPROXIMATE)
     assert {note.assumption for note in found.validity} <= wk.SurfaceTangential.assumptions
     assert Assumption.KNOWN_TIMES in wk.SurfaceTangential.assumptions
-    with pytest.raises(wk.OutsideValidity, match="on bodies that relax"):
+    with pytest.raises(wk.OutsideValidity, match="on viscoelastic bodies"):
         found.stresses([0.0], [0.0], [0.01])
 
 

@@ -73,8 +73,8 @@ class FrictionLog:
             )
         if not self.cycles:
             raise InvalidInput(
-                f"FrictionLog: the displacement makes no whole cycle of {FEWEST_POINTS} points or more, to and fro and "
-                "to again; give a longer log, or more points a cycle."
+                f"FrictionLog: the displacement has no whole cycle of {FEWEST_POINTS} points or more; give a "
+                "longer log, or more points per cycle."
             )
 
     @functools.cached_property

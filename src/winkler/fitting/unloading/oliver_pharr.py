@@ -86,8 +86,8 @@ class OliverPharr:
     def __post_init__(self) -> None:
         if not 0.0 <= self.lower < self.upper <= 1.0:
             raise InvalidInput(
-                f"OliverPharr: the limits of the fitted part are {self.upper!r} and {self.lower!r}; "
-                "give 1 >= upper > lower >= 0, parts of the greatest force."
+                f"OliverPharr: the limits of the fitted part are {self.upper!r} and {self.lower!r}; give 1 >= "
+                "upper > lower >= 0, parts of the maximum force."
             )
 
     def solve(self) -> OliverPharrSolution:
@@ -140,8 +140,8 @@ class OliverPharr:
         chosen = (share <= self.upper) & (share >= self.lower)
         if np.count_nonzero(chosen) < FEWEST:
             raise InvalidInput(
-                f"OliverPharr: {int(np.count_nonzero(chosen))} points lie between {self.lower:g} and {self.upper:g} of "
-                f"the greatest force; at least {FEWEST} are needed."
+                f"OliverPharr: {int(np.count_nonzero(chosen))} points lie between {self.lower:g} and "
+                f"{self.upper:g} of the maximum force; at least {FEWEST} are needed."
             )
         return np.asarray(chosen)
 

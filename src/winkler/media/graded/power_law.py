@@ -278,7 +278,7 @@ class GradedHalfSpace:
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
         """Refused: the stresses below the surface of a graded body are not known to winkler."""
         raise OutsideValidity(
-            "The stresses inside a GradedHalfSpace are not known to winkler: below the surface the power law has no "
+            "The stresses inside a GradedHalfSpace are not implemented: below the surface the power law has no "
             "closed flat-punch field; request the surface (without z), or sample the grading by a layered medium."
         )
 

@@ -225,8 +225,8 @@ class LayeredMedium:
         """The other body, where stresses in it are known."""
         if isinstance(self.second, TransverselyIsotropic):
             raise OutsideValidity(
-                f"{type(self).__name__}: the stresses inside a transversely isotropic second body are not known to "
-                "winkler; request the surface (without z), or points in the layers."
+                f"{type(self).__name__}: the stresses inside a transversely isotropic second body are not "
+                "implemented; request the surface (without z), or points in the layers."
             )
         if not isinstance(self.second, Elastic):
             raise rigid_body(below=False)

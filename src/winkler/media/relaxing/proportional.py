@@ -122,8 +122,8 @@ class RelaxingInProportion(RelaxingLayers):
         medium: Any = self.medium
         if offers(medium, PowerOfDepth):
             raise OutsideValidity(
-                "RelaxingInProportion: a modulus that follows a power of the depth has no surface whose half-space "
-                "short waves feel; give layers, or a DepthGradedHalfSpace."
+                "RelaxingInProportion: for a power law of depth no half-space represents the surface under short "
+                "waves; give layers, or a DepthGradedHalfSpace."
             )
         xi, s = np.broadcast_arrays(xi, s)
         layered = not isinstance(medium, HalfSpace | TransverselyIsotropicHalfSpace)

@@ -270,9 +270,9 @@ def _jump(edge: AdhesiveEdge | RangedEdge, leap: Leap) -> AdhesiveJump:
     size = float(np.max(np.abs(inner)) + np.max(np.abs(outer)))
     if loss < -JUMP_ROUNDING * size:
         raise OutsideValidity(
-            f"At a depth of {depth[0]:.6g} m the edge would have to run from {radius[0]:.6g} m to {radius[1]:.6g} m, "
-            f"though that costs {-loss:.3g} J. A ring of the body touches there first, and the contact is no disc: "
-            "give a flatter wave, a softer body or more work of adhesion."
+            f"At a depth of {depth[0]:.6g} m the edge would have to run from {radius[0]:.6g} m to {radius[1]:.6g} "
+            f"m, though that costs {-loss:.3g} J. A ring of the body touches there first, and the contact is not "
+            "a disc: give a flatter wave, a softer body or more work of adhesion."
         )
     position = level if isinstance(edge.control, LoadingMachine) else depth
     before, after = (EdgeState(position[i], depth[i], force[i], radius[i]) for i in range(2))
@@ -283,13 +283,14 @@ def _refuse(edge: AdhesiveEdge | RangedEdge, index: int, level: float, place: fl
     if place >= edge.closing.places[-1] and edge.bed.reach < edge.bed.rim:
         raise OutsideValidity(
             f"At index {index} of the path ({level:.6g}) the contact grows beyond the reach of the profile "
-            f"({edge.bed.reach:.6g} m), where nothing is known of it; turn back earlier or describe more of the body."
+            f"({edge.bed.reach:.6g} m), where its shape is not known; reverse earlier or describe more of the "
+            "body."
         )
     if isinstance(edge.control, DeadLoad) and level < 0.0 and place == edge.apart():
         raise OutsideValidity(
-            f"At index {index} of the path the dead load of {level:.6g} N pulls the bodies apart and nothing holds "
-            f"them any more; the lowest force that this contact can bear is {np.min(edge.opening.levels):.6g} N: stay "
-            "above it once pressed on, or prescribe positions as Depth([...])."
+            f"At index {index} of the path the dead load of {level:.6g} N pulls the bodies apart. The lowest "
+            f"force in equilibrium is {np.min(edge.opening.levels):.6g} N: stay above it once pressed on, or "
+            "prescribe positions as Depth([...])."
         )
 
 

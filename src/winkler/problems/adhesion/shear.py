@@ -150,8 +150,8 @@ class AdhesiveShear(PerLoad[Q]):
         if beyond.any():
             what, unit = ("shift", "m") if isinstance(self.lateral, Shift) else ("shear force", "N")
             raise OutsideValidity(
-                f"AdhesiveShear: the {what} of {targets[beyond][0]:.6g} {unit}{indices_of(beyond)} tears the contact "
-                f"off; it bears at most {most:.6g} {unit}, at a contact radius of {least:.6g} m."
+                f"AdhesiveShear: the {what} of {targets[beyond][0]:.6g} {unit}{indices_of(beyond)} pulls the "
+                f"contact off; the limit is {most:.6g} {unit}, at a contact radius of {least:.6g} m."
             )
         radius = states.radius(targets**2, least, widest)
         depth, force = states.depth_and_force(radius)
@@ -246,7 +246,7 @@ class _ShearCapacity:
                 return float(places[np.argmax(levels[: falls[0] + 1])])
             high = low
         raise OutsideValidity(
-            f"AdhesiveShear: the contact of {widest:.6g} m bears ever more shear the smaller it gets; its profile is "
+            f"AdhesiveShear: the contact of {widest:.6g} m carries more shear the smaller it gets; its profile is "
             "too pointed for attraction of vanishing range."
         )
 

@@ -123,7 +123,7 @@ def hot_at_voltage(cold: ColdContact, voltage: Array) -> HotContact:
             return hot
     if change <= 1e-12 * size:
         return hot
-    raise NotConverged(f"The heated resistances do not settle: they still change by {change / size:.1e}.")
+    raise NotConverged(f"The heated resistances do not converge: they still change by {change / size:.1e}.")
 
 
 def hot_at_current(cold: ColdContact, current: Array) -> HotContact:

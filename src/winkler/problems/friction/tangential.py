@@ -144,9 +144,9 @@ class Tangential:
         if self.relaxes:
             if not self._coulomb_line or self.method in (Method.EXACT, Method.RINGS):
                 raise InvalidInput(
-                    f"Tangential: bodies that relax are followed by Coulomb's law, along one line and by the method "
-                    f"{Method.SPRINGS}; the law is a {type(self.law).__name__}, the method {self.method}, and the path "
-                    f"{'leaves' if self.path.in_plane else 'keeps to'} its line."
+                    "Tangential: viscoelastic bodies require Coulomb's law, motion along one line and the method "
+                    f"{Method.SPRINGS}; the law is a {type(self.law).__name__}, the method {self.method}, and the "
+                    f"path {'leaves' if self.path.in_plane else 'keeps to'} its line."
                 )
             pressed_alone("Tangential", self.bed, self.path, self.count, self.tolerance)
         elif self.by_rings:

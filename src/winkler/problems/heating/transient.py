@@ -118,8 +118,8 @@ class TransientHeating(RubbingBodies):
             )
         if isinstance(self.contact, EllipticIndentation) and not isinstance(self.contact.medium, HomogeneousMedium):
             raise OutsideValidity(
-                "TransientHeating: the pressure of an ellipse on layers or gradings is one of pixels, of which the "
-                "beginning is not implemented; give a homogeneous medium, or FrictionHeating for what it ends in."
+                "TransientHeating: an ellipse on layers or graded bodies is not implemented; give a homogeneous "
+                "medium, or use FrictionHeating for the steady state."
             )
 
     def solve(self) -> TransientHeatingSolution:

@@ -269,4 +269,4 @@ def peak_pressure(pressed: PressedSprings) -> float:
             return math.inf
         return highest_of_curve(pressure, a)
     except NotConverged as error:
-        raise OutsideValidity(f"The greatest pressure is not known: {error}") from None
+        raise OutsideValidity(f"The maximum pressure is not known: {error}") from None

@@ -279,7 +279,7 @@ class Directions:
                 mean = np.mean(radii, axis=1)
                 return self.twice * new, self.twice * np.mean(radii**2, axis=1) / mean, radii
             level = new
-        raise NotConverged(f"NearlyRoundIndentation: at the depth {depths[0]:.6g} m the force does not settle.")
+        raise NotConverged(f"NearlyRoundIndentation: at the depth {depths[0]:.6g} m the force does not converge.")
 
     def _level(self, radii: Array, depths: Array) -> Array:
         """Return F / (2 E*) [m^2] of contours."""

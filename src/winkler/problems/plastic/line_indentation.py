@@ -389,8 +389,8 @@ def _refuse_unknown(bed: LineFoundation) -> None:
     for part in strong_parts(bed.medium):
         if isinstance(part.solid, Hardening):
             raise InvalidInput(
-                f"{owner}: the {part.name} hardens; how such a metal yields under a line is not known to winkler: give "
-                "Elastic(young, poisson, strength) with its flow stress."
+                f"{owner}: the {part.name} hardens; yield of hardening metals in line contact is not implemented: "
+                "give Elastic(young, poisson, strength) with its flow stress."
             )
     refuse_strengths(owner, bed.medium, (LEAST_POISSON, GREATEST_POISSON))
 

@@ -241,8 +241,8 @@ def check_rolling(owner: str, bed: Bed, creepage: Creepage, calibration: Kalker 
         _ = medium.shear_modulus  # refuses layers that slide, and Gibson's solid
     if np.any(np.asarray(creepage.spin) != 0.0):
         raise OutsideValidity(
-            f"{owner}: spin turns the traction around the contact, and a line of springs has no counterpart of that; "
-            "use SimplifiedRolling, on layers and gradings SurfaceRolling."
+            f"{owner}: spin turns the traction around the contact, and a line of springs has no counterpart of "
+            "that; use SimplifiedRolling, on layers and graded bodies SurfaceRolling."
         )
 
 

@@ -33,8 +33,8 @@ def homogeneous(owner: str, what: str, medium: MappedMedium) -> HomogeneousMediu
     """
     if not isinstance(medium, HomogeneousMedium):
         raise OutsideValidity(
-            f"{owner}: {what} of a height map on a {type(medium).__name__} is not known to winkler, pressures, gaps "
-            "and stiffness are; give a HalfSpace."
+            f"{owner}: {what} of a height map on a {type(medium).__name__} is not implemented; pressures, gaps "
+            "and stiffness are. Give a HalfSpace."
         )
     return medium
 

@@ -150,8 +150,8 @@ class Reduction:
 
     def _lost(self, done: list[ContactRow]) -> NotConverged:
         return NotConverged(
-            f"reduce: {len(done)} contacts do not determine F(d) to {self.tolerance:.3g} of the greatest force; give a "
-            "larger tolerance, or give the map more pixels."
+            f"reduce: {len(done)} contacts do not determine F(d) to {self.tolerance:.3g} of the maximum force; "
+            "give a larger tolerance, or give the map more pixels."
         )
 
     def _springs(self, points: ContactPoints) -> tuple[MeasuredBed, float]:

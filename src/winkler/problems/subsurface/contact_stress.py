@@ -104,9 +104,9 @@ class ContactStress:
         if offers(medium, GradedInDepth):
             if not isinstance(self.contact, Indentation):
                 raise InvalidInput(
-                    f"ContactStress: the contact is a {type(self.contact).__name__} on a {type(medium).__name__}; in "
-                    "gradings the greatest stresses are sought under round contacts only: give an Indentation, or a "
-                    "CoatedHalfSpace of layers that follow the grading."
+                    f"ContactStress: the contact is a {type(self.contact).__name__} on a {type(medium).__name__}; "
+                    "in graded bodies the maximum stresses are sought under round contacts only: give an "
+                    "Indentation, or a CoatedHalfSpace of layers that follow the grading."
                 )
         elif not (isinstance(medium, HalfSpace) or offers(medium, LayerStack)):
             raise InvalidInput(
@@ -118,8 +118,8 @@ class ContactStress:
             bodies = (*(layer.solid for layer in medium.layers), medium.on, medium.second)
             if len(solid_parts(medium)) < sum(not isinstance(body, Rigid) for body in bodies):
                 raise InvalidInput(
-                    "ContactStress: a layer or body is transversely isotropic; the greatest stresses are sought in "
-                    "isotropic ones only: give layers of Elastic, or see the stresses of the contact."
+                    "ContactStress: a layer or body is transversely isotropic; the maximum stresses are sought "
+                    "in isotropic ones only: give layers of Elastic, or see the stresses of the contact."
                 )
 
     @property

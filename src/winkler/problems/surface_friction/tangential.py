@@ -147,8 +147,8 @@ class SurfaceTangential:
             )
         if self.topography.periodic and (turns or isinstance(self.twist, Torque) or np.any(numbers_of(self.twist))):
             raise InvalidInput(
-                "SurfaceTangential: a periodic map goes on for ever and has no middle to be turned about; leave the "
-                "twist out, or give a map that stands alone."
+                "SurfaceTangential: a periodic map repeats without end and has no middle for a rotation; leave "
+                "the twist out, or give a map that is not periodic."
             )
 
     @property
@@ -265,8 +265,8 @@ class SurfaceTangentialSolution(MapSlip[Array], Looped, LastMap):
         who = "SurfaceTangentialSolution"
         if relaxes(self.problem.medium):
             raise OutsideValidity(
-                f"{who}: displacements and stresses below a height map on bodies that relax are not known to winkler, "
-                "its pressures and tractions are; give an elastic medium."
+                f"{who}: displacements and stresses below a height map on viscoelastic bodies are not "
+                "implemented, its pressures and tractions are; give an elastic medium."
             )
         return homogeneous(who, "the stress below the surface", self.problem._course[0])
 

@@ -138,9 +138,9 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
             return
         if contact.periodic or min(contact.pressure.shape) < FEWEST_PIXELS:
             raise InvalidInput(
-                f"SurfaceFrictionHeating: the map has {contact.pressure.shape[0]} x {contact.pressure.shape[1]} pixels "
-                f"and is {'repeated for ever' if contact.periodic else 'finite'}; give one that stands alone, of at "
-                "least two pixels in both directions."
+                f"SurfaceFrictionHeating: the map has {contact.pressure.shape[0]} x {contact.pressure.shape[1]} "
+                f"pixels and is {'repeated for ever' if contact.periodic else 'finite'}; give one that is not "
+                "periodic, of at least two pixels in both directions."
             )
         if not np.any(contact.pressure > 0.0):
             raise InvalidInput("SurfaceFrictionHeating: no pressure is positive, so nothing touches; give a load.")

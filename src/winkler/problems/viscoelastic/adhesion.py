@@ -371,8 +371,8 @@ class Crack:
             loss = self.energy(leap.start, leap.level) - self.energy(leap.end, leap.level)
             if loss < -1e-10 * abs(self.energy(leap.end, leap.level)):
                 raise OutsideValidity(
-                    f"ViscoelasticAdhesion: at the position {leap.level:.6g} m the edge would have to run uphill to "
-                    f"{leap.end:.6g} m: a ring of the body touches there first, and the contact is no disc."
+                    f"ViscoelasticAdhesion: at the position {leap.level:.6g} m the edge would have to run uphill "
+                    f"to {leap.end:.6g} m: a ring of the body touches there first, and the contact is not a disc."
                 )
             self.lost += max(loss, 0.0)
         self.radius = float(end[0])

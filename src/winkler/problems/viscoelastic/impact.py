@@ -134,8 +134,8 @@ class ViscoelasticImpact:
                 return ViscoelasticImpactSolution(self, *np.array(march.lines).T)
             finer, last = 2 * finer, restitution
         raise NotConverged(
-            f"ViscoelasticImpact: the restitution does not settle within {self.tolerance:g}; allow more, or give more "
-            "springs."
+            f"ViscoelasticImpact: the restitution does not converge within {self.tolerance:g}; allow more, or "
+            "give more springs."
         )
 
     def _scale(self, series: RelaxationSeries) -> float:

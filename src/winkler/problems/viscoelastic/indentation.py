@@ -236,7 +236,7 @@ class ViscoelasticIndentation:
             if far.size:
                 raise NotConverged(
                     f"ViscoelasticIndentation: at {times[part][far[0]]:.6g} s the body has come deeper than the "
-                    "greatest force would have pressed it; allow a smaller tolerance."
+                    "maximum force would have pressed it; allow a smaller tolerance."
                 )
             if why:
                 raise NotConverged(f"ViscoelasticIndentation: at {times[part.stop]:.6g} s {why}")

@@ -198,6 +198,6 @@ def refuse_rings(owner: str, time: Array, ring: Array) -> None:
     """Refuse contacts of other springs than those about the axis."""
     if np.any(ring):
         raise OutsideValidity(
-            f"{owner}: at {time[ring][0]:.6g} s the body touches around a dent that has not recovered, so the contact "
-            "is no disc, and the springs do not describe it; end the path before."
+            f"{owner}: at {time[ring][0]:.6g} s the body touches around a dent that has not recovered, so the "
+            "contact is not a disc, and the springs do not describe it; end the path before."
         )

@@ -212,8 +212,8 @@ def steady_cycle(owner: str, bed: Bed, law: Coulomb, swing: Swing, count: int, t
             if small == 2:
                 if cycle.ring:
                     raise OutsideValidity(
-                        f"{owner}: the body touches around a dent that does not recover within a cycle, so the contact "
-                        "is no disc; give a smaller amplitude of the depth, or a lower frequency."
+                        f"{owner}: the body touches around a dent that does not recover within a cycle, so the "
+                        "contact is not a disc; give a smaller amplitude of the depth, or a lower frequency."
                     )
                 return cycle
         before = cycle
