@@ -41,7 +41,7 @@ def energy_note(work: ArrayLike, stored: ArrayLike, lost: ArrayLike) -> Note:
         verdict = "nothing but rounding"
     elif missing <= LARGE_MISSING_ENERGY:
         standing = Standing.APPROXIMATE
-        verdict = "a dissipated energy below this error is not known"
+        verdict = "dissipated energies below this error are not meaningful"
     else:
         standing = Standing.OUTSIDE
         verdict = "do not use the energies of this solution"

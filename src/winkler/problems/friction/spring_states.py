@@ -115,8 +115,8 @@ DROPPING = Note(
     Standing.APPROXIMATE,
     "Each spring that begins to slip drops to its kinetic bound, so the traction jumps at the edge of the stick "
     "zone. Errors of force and energy are of first order in the spring spacing; restored tractions are singular "
-    "there. Depth and displacement are assumed straight between two points. If a prescribed force curves their "
-    "path, give more points.",
+    "there. Depth and displacement are assumed to vary linearly between two points. If a prescribed force curves "
+    "their path, give more points.",
     "property of the rule; the theory of Cattaneo and Mindlin has one coefficient only",
 )
 OF_SPRINGS = Note(

@@ -379,8 +379,8 @@ def pair_rolling_notes(
         Note(
             Assumption.RESOLUTION,
             standing_of(grid_error, FINE, COARSE),
-            f"Forces have an error of up to {100.0 * grid_error:.2g} per cent of the friction, twice the change "
-            "from other grids. The profiles are splines through their points.",
+            f"Forces have an error of up to {100.0 * grid_error:.2g} per cent of the maximum friction force, "
+            "twice the change from other grids. The profiles are splines through their points.",
             "comparison of three grids",
             grid_error,
         ),

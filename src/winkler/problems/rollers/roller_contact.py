@@ -315,8 +315,8 @@ ELEMENTS_ON_HALF_SPACES = Note(
 EDGES_ON_LAYERS = Note(
     Assumption.RESOLUTION,
     Standing.APPROXIMATE,
-    "On layers and graded bodies half-widths and area have an error of one element across. Each half of the "
-    "widest contact has an eighth as many elements as there are along the roller.",
+    "On layers and graded bodies half-widths and area have an error of one element across. The elements are such "
+    "that each half of the widest contact has an eighth as many across as there are along the roller.",
     "elements that bear",
 )
 FINE, COARSE = 0.02, 0.1
