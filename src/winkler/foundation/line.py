@@ -70,7 +70,7 @@ class LineFoundation(LineBed):
     Parameters
     ----------
     profile : Profile
-        The gap f between the undeformed bodies at the distance |x| from the middle. `Paraboloid` is a parabolic
+        The gap f between the undeformed bodies at the distance of x from the middle. `Paraboloid` is a parabolic
         cylinder, `Cone` a wedge, `FlatPunch` a flat punch of half-width `radius`, `RoundedPunch` a flat punch with
         rounded edges.
     medium : HalfSpace or TransverselyIsotropicHalfSpace
