@@ -351,7 +351,7 @@ def test_beyond_the_greatest_current_there_is_a_second_voltage():
         wk.Indentation(BALL, wk.Radius(2e-5)), pair, wk.Current(0.99999 * float(current[top]))
     ).solve()
     assert near.voltage < 1.01 * voltage[top]
-    with pytest.raises(wk.OutsideValidity, match="no more than"):
+    with pytest.raises(wk.OutsideValidity, match="The maximum current is"):
         wk.JouleHeating(wk.Indentation(BALL, wk.Radius(2e-5)), pair, wk.Current(1.01 * float(current[top]))).solve()
 
 

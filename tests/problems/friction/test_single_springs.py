@@ -125,7 +125,7 @@ def test_too_large_a_force_is_refused_where_it_is_prescribed(plane):
     problem = wk.Tangential(BALL, Coulomb(MU), Path(np.arange(4.0), wk.Depth(1.0), load), wk.Method.SPRINGS, 100)
     reached = []
     with pytest.raises(
-        wk.OutsideValidity, match=r"at index 2 of the path .* where friction bears .* give a smaller one"
+        wk.OutsideValidity, match=r"at index 2 of the path .* the friction limit is .* give a smaller one"
     ):
         reached.extend(problem.steps())
     assert len(reached) == 2
@@ -203,7 +203,7 @@ def test_bodies_that_never_meet():
     state = list(wk.Tangential(BALL, Coulomb(MU), path, wk.Method.SPRINGS).steps())[-1]
     assert (state.force, state.shear_force, state.radius, state.stick_radius) == (0.0, 0.0, 0.0, 0.0)
     assert state.sheared.components == ((),)
-    with pytest.raises(wk.OutsideValidity, match="at index 1 of the path .* where friction bears 0 N"):
+    with pytest.raises(wk.OutsideValidity, match="at index 1 of the path .* the friction limit is 0 N"):
         wk.Tangential(
             BALL, Coulomb(MU), Path(path.time, path.normal, wk.ShearForce([0.0, 1.0])), wk.Method.SPRINGS
         ).solve()

@@ -188,7 +188,7 @@ def test_a_march_that_was_stopped_keeps_what_it_reached():
 @pytest.mark.parametrize(
     ("drive", "more", "error", "sentence"),
     [
-        (wk.LineShearForce(MOST), {}, wk.OutsideValidity, "friction bears less than"),
+        (wk.LineShearForce(MOST), {}, wk.OutsideValidity, "the friction limit at rest is"),
         (wk.LineShearForce(0.1 * MOST), {"distance": 1e6}, wk.OutsideValidity, "give a shorter one"),
         (wk.Creepage(1e-3), {}, wk.InvalidInput, "Give the distance `reference`"),
         (wk.Creepage(1e-3), {"reference": 1.5}, wk.OutsideValidity, "nearer than 2 half-widths"),

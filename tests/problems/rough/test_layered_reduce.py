@@ -74,7 +74,7 @@ def test_springs_on_layers_conduct_nothing_and_fit_no_other_body():
     reduced = Reduction(ball(51), STIFF, 0.04, tolerance=0.01).solve()
     assert not reduced.bed.homogeneous
     copper = wk.ElectricalConductor(1.7e-8)
-    with pytest.raises(OutsideValidity, match="on layers do not tell what it conducts"):
+    with pytest.raises(OutsideValidity, match="on layers do not determine its conductance"):
         wk.Constriction(wk.Indentation(reduced.bed, wk.Depth(0.02)), wk.ElectricalConductors(copper, copper)).solve()
     with pytest.raises(InvalidInput, match="whose layers no other medium has"):
         reduced.on(wk.HalfSpace(wk.Elastic(1.0, 0.3)))

@@ -138,8 +138,8 @@ class AdhesiveShear(PerLoad[Q]):
         place = np.array([widest])
         if float(states.depth_and_force(place)[0][0]) > float(self.bed.gap(place)[0]):
             raise OutsideValidity(
-                f"AdhesiveShear: the edge of the contact is held at a rim ({widest:.6g} m) and pressed there, not "
-                "pulled, so that no balance of energy at the edge limits the shear; press less, or pull."
+                f"AdhesiveShear: the edge of the contact is pinned at a rim ({widest:.6g} m) under compression. "
+                "No energy balance at the edge limits the shear there; use a smaller load, or pull."
             )
         least = states.least_radius(widest)
         prescribed = numbers_of(self.lateral)

@@ -37,8 +37,9 @@ def resistances_of(bed: Bed, conductors: ElectricalConductors | HeatConductors, 
     """
     if isinstance(bed, DirectionalBed) and not bed.homogeneous:
         raise OutsideValidity(
-            f"{type(conductors).__name__}: the springs of a height map on layers do not tell what it conducts, since "
-            "its stiffness is not that of a homogeneous half-space; reduce the map on a HalfSpace."
+            f"{type(conductors).__name__}: the springs of a height map on layers do not determine its "
+            "conductance, because its stiffness is not that of a homogeneous half-space; reduce the map on a "
+            "HalfSpace."
         )
     if any(isinstance(body, Plated) for body in (conductors.first, conductors.second)):
         refuse_unless_round(bed, type(conductors).__name__, "a plating")

@@ -204,8 +204,8 @@ def _coefficient(body: ConductingBody) -> float:
     coefficients = {part.temperature_coefficient for part in parts_of(body) if isinstance(part, ElectricalConductor)}
     if len(coefficients) > 1:
         raise OutsideValidity(
-            "JouleHeating: a plating and what carries it have different temperature coefficients, so the current would "
-            "deviate from their plane as they are heated; give both the same one, or zero."
+            "JouleHeating: plating and substrate have different temperature coefficients, so the current "
+            "distribution would change with heating; give equal coefficients, or zero."
         )
     return coefficients.pop()
 

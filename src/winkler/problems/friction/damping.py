@@ -350,7 +350,8 @@ def _springs(problem: FrictionDamping, contact: IndentationSolution) -> Slipping
             return rings
         if problem.method is Method.RINGS:
             raise OutsideValidity(
-                f"FrictionDamping: no ring slides before all of this contact does; give the method {Method.SPRINGS}."
+                "FrictionDamping: no annulus slips before full sliding of this contact; give the method "
+                f"{Method.SPRINGS}."
             )
     if problem.method is Method.EXACT:
         exact_ratio("FrictionDamping", bed, radius)

@@ -100,7 +100,7 @@ class PressedRow(Row[SlipGoal, State]):
 def refuse_shear(shear: float, most: float) -> None:
     """Refuse a shear force [N] where friction bears less [N]."""
     raise OutsideValidity(
-        f"a shear force of {shear:.6g} N is prescribed where friction bears {most:.6g} N at most, and the bodies "
+        f"a shear force of {shear:.6g} N is prescribed, but the friction limit is {most:.6g} N, and the bodies "
         "would slide away; give a smaller one, or a Shift."
     )
 

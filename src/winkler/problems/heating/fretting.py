@@ -107,8 +107,8 @@ class FrettingHeat(RubbingBodies):
     def __post_init__(self) -> None:
         if self.contact.relaxes:
             raise OutsideValidity(
-                "FrettingHeat: the bodies of the motion relax and are heated inside, too; only the heat of friction is "
-                "known: give elastic bodies."
+                "FrettingHeat: the bodies of the motion are viscoelastic and heated inside, too; only frictional "
+                "heat is implemented: give elastic bodies."
             )
         super().__post_init__()
 
@@ -132,8 +132,8 @@ class FrettingHeat(RubbingBodies):
         loss = float(march.dissipation[-1] - march.dissipation[begin])
         if loss <= 0.0:
             raise OutsideValidity(
-                "FrettingHeat: nothing slips in the last cycle of the path, so nothing warms up; move further, or "
-                "press less."
+                "FrettingHeat: nothing slips in the last cycle of the path, so there is no heat; increase the "
+                "amplitude, or reduce the load."
             )
         end = float(np.max(march.radius[begin:]))
         narrow = float(np.min(march.radius[begin:]))

@@ -199,8 +199,8 @@ class LineRollingStart:
             force = float(drive.shear_force_per_length)
             if abs(force) >= most:
                 raise OutsideValidity(
-                    f"LineRollingStart: a shear force of {force:.6g} N/m was given, and friction bears less than "
-                    f"{most:.6g} N/m at rest: give less."
+                    f"LineRollingStart: a shear force of {force:.6g} N/m was given, but the friction limit at "
+                    f"rest is {most:.6g} N/m: give less."
                 )
             total, reference = force / (modulus * apart), a  # which falls out, as the sum stays
         else:

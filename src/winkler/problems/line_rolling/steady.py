@@ -164,8 +164,8 @@ class LineRolling(PerLoad[Q]):
             force = np.asarray(self.drive.shear_force_per_length, dtype=float)
             if np.any(np.abs(force) > most * (1.0 + SLIDING_TOLERANCE)):
                 raise OutsideValidity(
-                    f"LineRolling: friction bears {most:.6g} N/m, less than the {np.max(np.abs(force)):.6g} N/m given: "
-                    "the bodies slide; give less, or prescribe a creepage."
+                    f"LineRolling: the friction limit is {most:.6g} N/m, less than the given "
+                    f"{np.max(np.abs(force)):.6g} N/m: the bodies slide; give less, or prescribe a creepage."
                 )
             if by_elements:
                 return self._by_nodes(contact, np.clip(force, -most, most))

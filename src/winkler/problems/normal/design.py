@@ -137,8 +137,8 @@ def design_for_pressure(r: ArrayLike, pressure: ArrayLike, medium: Medium) -> De
     """
     if body_of.exponent_of(medium) == 1.0:
         raise OutsideValidity(
-            "design_for_pressure: in Gibson's solid every point sinks for itself, f(r) = (3/2)(c0/E0)(p(0) - p(r)); no "
-            "transform is needed."
+            "design_for_pressure: in Gibson's solid the displacement of every point depends on its own pressure "
+            "only, f(r) = (3/2)(c0/E0)(p(0) - p(r)); no transform is needed."
         )
     radii, p = _checked("design_for_pressure", "r", "m", r, "pressure", "Pa", pressure)
     if radii[0] != 0.0 or radii.size < LEAST_POINTS:

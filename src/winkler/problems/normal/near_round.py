@@ -335,8 +335,8 @@ class Directions:
         bad = missing(bottom, every) < -FORCE_TOLERANCE * wanted
         if bad.any():
             raise OutsideValidity(
-                f"NearlyRoundIndentation: at the depth {depth[bad][0]:.6g} m there is no contour, the body is too far "
-                "from round; use SurfaceContact."
+                f"NearlyRoundIndentation: at the depth {depth[bad][0]:.6g} m there is no contour, because the "
+                "body is too far from round; use SurfaceContact."
             )
         above = every[missing(top, every) > 0.0]
         for _ in range(DOUBLINGS):
