@@ -352,7 +352,7 @@ class TestRefused:
 
     def test_media(self):
         coated = CoatedHalfSpace([Layer(Elastic(1e9, 0.3), 1e-3)], Elastic(2e9, 0.3))
-        with pytest.raises(InvalidInput, match="on layers and gradings a contact is no ellipse"):
+        with pytest.raises(InvalidInput, match="on layers and graded bodies the contact is not Hertz' ellipse"):
             dataclasses.replace(rolling(Creepage(1e-3)), medium=coated)
 
     @pytest.mark.parametrize("axis", [0.0, -1.0, math.inf, math.nan, "wide"])

@@ -47,7 +47,7 @@ HALF_BOUND_INTEGRAL = 0.25 * math.pi
 """Half the integral of the bound over the unit disc: sums over it become forces over mu F_N."""
 
 
-HERTZIAN = Advice("on layers and gradings a contact is no ellipse under Hertz' pressure; ProfilePairRolling takes them")
+HERTZIAN = Advice("on layers and graded bodies the contact is not Hertz' ellipse; use ProfilePairRolling for them")
 ONE_FORCE = Condition(
     lambda load: np.ndim(load.force) == 0 and float(load.force) > 0.0, "give Force(F) with one positive number"
 )
