@@ -122,4 +122,4 @@ def test_what_is_refused_and_noted():
         AdhesiveShear(BALL, law, wk.Force(-1.6 * PULL), Shift(0.0)).solve()
     sheared = AdhesiveShear(BALL, law, wk.Force(0.0), Shift(0.0)).solve()
     assert isinstance(sheared.radius, float)
-    assert any(note.standing is Standing.APPROXIMATE and "modes" in note.statement for note in sheared.validity)
+    assert any(note.standing is Standing.APPROXIMATE and "mode mixture" in note.statement for note in sheared.validity)

@@ -164,8 +164,8 @@ class PoroelasticFilm(RelaxingByWaves):
         """
         if part is not Wave.NORMAL:
             raise OutsideValidity(
-                f"PoroelasticFilm: the response of its surface to {part.name.lower()} waves is not implemented, "
-                "only that to pressure; leave friction out, or give ViscoelasticCoatedHalfSpace."
+                f"PoroelasticFilm: the response of its surface to waves of the kind {part.name.lower()} is not "
+                "implemented, only that to pressure; leave friction out, or give ViscoelasticCoatedHalfSpace."
             )
         found = drained_waves(np.asarray(s) * self.diffusion_time, xi * self.thickness, self.poisson)
         return both(part, found / self.shear, solid_at(self.second, s))
