@@ -133,7 +133,7 @@ class LineFoundation(LineBed):
         return self
 
     def repeated(self, profile: Profile, pitch: float) -> LineFoundation:
-        """Return the foundation of strips at a pitch [m], with a given profile over u (`foundation.periodic`)."""
+        """Return the foundation of strips at a pitch [m] with a given profile over u."""
         return LineFoundation(profile, self.medium)
 
     def zoned(self, strength: float, half_width: float, outer: float) -> ZonedBed:
