@@ -188,7 +188,7 @@ def cycle_notes(cycle: LastCycle) -> tuple[Note, ...]:
     if cycle.gap <= CLOSED:
         return ()
     statement = (
-        f"The last cycle of the path, from point {cycle.first} to point {cycle.last}, is not closed: motion or "
+        f"The last cycle of the path, from point {cycle.first} to point {cycle.last}, is not closed. Motion or "
         f"load ends {100.0 * cycle.gap:.2g} per cent of its range from its start. Its dissipated energy applies "
         "to this cycle only. Append cycles until the last one closes."
     )

@@ -61,9 +61,9 @@ def wave_note(share: float) -> Note:
         return Note(
             Assumption.INERTIA,
             Standing.ASYMPTOTIC,
-            "The contact force is the quasi-static force. The size of the body is not known. It was therefore "
-            "not checked that the impact is slow compared with the speed of sound, and long compared with a "
-            "vibration period of the body.",
+            "The contact force is the quasi-static force. The size of the body is not known, so two conditions "
+            "were not checked. The impact must be slow compared with the speed of sound, and long compared with "
+            "a vibration period of the body.",
             HUNTER,
         )
     standing = standing_of(share, SMALL_WAVE_LOSS, LARGE_WAVE_LOSS)

@@ -104,7 +104,7 @@ IN_PLANE = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
     "In planar motion every spring slips along its own displacement. The restored traction is not admissible "
-    "everywhere. It exceeds mu times the pressure by 5 % after two strokes at a right angle; for circular motion "
+    "everywhere. It exceeds mu times the pressure by 5 % after two strokes at a right angle. For circular motion "
     "the excess grows logarithmically at the edge of the stick zone.",
     "measured on a sphere, each stroke or the circle's radius half the shift of gross slip; tests/problems/"
     "friction/test_single_springs.py",

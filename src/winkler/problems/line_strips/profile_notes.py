@@ -77,8 +77,8 @@ def profile_notes(section: Section, medium: LineMedium, found: FoundStrips | Non
     else:
         text = (
             "The strips consist of equal elements. Contact length and maximum pressure may differ by up to "
-            f"{100.0 * error:.2g} per cent; this is estimated from the elements at the edges or the change from "
-            "half as many elements."
+            f"{100.0 * error:.2g} per cent. This is estimated from the elements at the edges or from half as many "
+            "elements."
             if math.isfinite(error)
             else "The strips consist of equal elements; with half as many there is no contact to compare with."
         )

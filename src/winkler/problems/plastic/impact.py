@@ -385,8 +385,8 @@ def _rate_note(rate: float) -> Note:
     return Note(
         Assumption.RESPONSE,
         Standing.APPROXIMATE,
-        f"The metal is strained at up to {rate:.1g} 1/s, with a strain of 0.2 times the slope at the edge of the "
-        "dent; only one strength was given. Many metals are stronger at such rates and rebound faster. Give the "
+        f"The metal is strained at up to {rate:.1g} 1/s (strain: 0.2 times the slope at the edge of the dent), "
+        "but only one strength was given. Many metals are stronger at such rates and rebound faster. Give the "
         "strength at this rate.",
         TABOR,
     )

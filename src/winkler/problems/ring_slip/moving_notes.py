@@ -17,15 +17,15 @@ OUTER_RINGS = (
     "it. Reference: annular elements that slip independently of each other, "
 )
 IN_IMPACTS = (
-    "a/h from 0.3 to 10. Errors of the tangential velocity after impact, divided by mu times the approach "
-    "velocity, are at most 3.5 % (base 100 times softer than the layer), 2.8 % (10 times softer) and 0.2 % "
+    "a/h from 0.3 to 10. Errors of the tangential velocity after impact are divided by mu times the approach "
+    "velocity. They are at most 3.5 % (base 100 times softer than the layer), 2.8 % (10 times softer) and 0.2 % "
     "(stiffer). The dissipated energy has errors of up to half these percentages of mu times the approach "
     "velocity times the tangential momentum."
 )
 IN_CYCLES = (
-    "a/h from 1 to 10. Errors of the dissipated energy per cycle, divided by mu F_N A_x, are at most 0.055 (base "
-    "100 times softer than the layer), 0.012 (10 times softer) and 0.002 (10 times stiffer). On the softest base "
-    "in-phase motion appears lossless."
+    "a/h from 1 to 10. Errors of the dissipated energy per cycle are divided by mu F_N A_x. They are at most "
+    "0.055 (base 100 times softer than the layer), 0.012 (10 times softer) and 0.002 (10 times stiffer). On the "
+    "softest base in-phase motion appears lossless."
 )
 RINGS_NOTE = Note(
     Assumption.RESOLUTION,

@@ -66,8 +66,8 @@ def surface_notes(
         Note(
             Assumption.RESOLUTION,
             standing_left(max(overlap, left), Standing.ASYMPTOTIC),
-            f"Residuals of the solver: the surfaces overlap by at most {overlap:.1g} of the depth, and the work "
-            f"of the pressures on the gaps is {left:.1g} of that of the force. For smooth contacts ten times the "
+            f"Residuals of the solver: the surfaces overlap by at most {overlap:.1g} of the depth. The work of "
+            f"the pressures on the gaps is {left:.1g} of that of the force. For smooth contacts ten times the "
             "pixels along a side reduce the error of the force by a factor of 100.",
             POLONSKY,
         ),

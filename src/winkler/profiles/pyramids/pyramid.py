@@ -113,7 +113,7 @@ class PyramidShape(PowerPieces):
                 f"The pyramid of {self.sides} faces is replaced by the cone with the same force (half-angle "
                 f"{math.degrees(self.half_angle):.2f} deg). On a homogeneous half-space, force, depth, stiffness "
                 "and energy of both agree within 1e-5. The radius is that of a round contact of equal stiffness. "
-                f"The contact of the pyramid has {share:.1%} of its area; its edge lies between {near:.2f} "
+                f"The contact of the pyramid has {share:.1%} of its area. Its edge lies between {near:.2f} "
                 f"(across a face) and {far:.2f} (along an edge) of that radius. Pressures, stresses and adhesion "
                 "are those of the cone.",
                 CONSTANTS,
