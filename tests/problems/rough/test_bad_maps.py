@@ -86,6 +86,6 @@ filled = true
     (point,) = run(parse_study(text)).solved
     said = [note.statement for note in point.solution.validity]
     assert any(
-        line.startswith("Taken out of the measured heights, and bridged: 1 of 4096 pixels stand out") for line in said
+        line.startswith("Removed from the measured heights, and bridged: 1 of 4096 pixels stand out") for line in said
     )
     assert any("a tip of 0.02 m has rounded the map" in line for line in said)
