@@ -66,7 +66,7 @@ class UnknownOutline:
     def unlike_disc(self) -> str:
         """What the springs stand for, which results they give, and what to use instead."""
         return (
-            f"the foundation represents {self.origin}: it yields force, depth and stiffness, not the outline of "
+            f"the foundation represents {self.origin}: it gives force, depth and stiffness, not the outline of "
             f"the contact; {self.instead}"
         )
 
@@ -96,7 +96,7 @@ class EllipticOutline:
     def unlike_disc(self) -> str:
         """What the springs stand for, which results they give, and what to use instead."""
         return (
-            f"the foundation represents an ellipse of b/a = {self.slenderness:.4g}: it yields force, depth, "
+            f"the foundation represents an ellipse of b/a = {self.slenderness:.4g}: it gives force, depth, "
             "stiffness and area; use EllipticIndentation for its pressure, or give Foundation(profile, medium) "
             "of a round body"
         )

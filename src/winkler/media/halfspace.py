@@ -219,7 +219,7 @@ class HalfSpace(HomogeneousMedium):
         Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "Homogeneous, isotropic, linear elastic half-spaces. For one round contact the springs yield the "
+            "Homogeneous, isotropic, linear elastic half-spaces. For one round contact the springs give the "
             "exact normal force, depth and pressure of the three-dimensional solution.",
             GALIN,
         ),

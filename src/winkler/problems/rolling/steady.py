@@ -202,7 +202,7 @@ TOGETHER = Note(
 STRIPS = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "The one-dimensional foundation yields forces, not the distribution of traction over the surface. The true "
+    "The one-dimensional foundation gives forces, not the distribution of traction over the surface. The true "
     "stick zone is not a strip with parallel edges. Use SurfaceRolling for a map of the tractions.",
     VERMEULEN,
 )

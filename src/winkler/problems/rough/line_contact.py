@@ -48,7 +48,7 @@ HOMOGENEOUS_LINES = Note(
 NO_AREA = Note(
     Assumption.ROUGHNESS,
     Standing.OUTSIDE,
-    "The springs are independent and yield no true contact area and no mean gap. The values stated here are "
+    "The springs are independent and give no true contact area and no mean gap. The values stated here are "
     "Persson's. The area is up to a third too small; the gap is accurate to 20 per cent for pressures up to 0.2 "
     "E* h'. Use SurfaceContact to compute them.",
     LYASHENKO,

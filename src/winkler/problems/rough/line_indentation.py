@@ -208,7 +208,7 @@ class RoughIndentationSolution(RoughSolution[Q]):
             Note(
                 Assumption.ROUGHNESS,
                 Standing.APPROXIMATE,
-                "The springs yield no true contact area. The area stated here is Persson's for the pressure of "
+                "The springs give no true contact area. The area stated here is Persson's for the pressure of "
                 "the smooth body. It is up to a third too small; the error is smaller if roughness spreads the "
                 "pressure of small loads. Use SurfaceContact to compute the area.",
                 POPOV,

@@ -246,7 +246,7 @@ class SlidingResistanceSolution(PerLoad[Q]):
 APPROXIMATE = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
-    "The pressure of a sliding contact is not axisymmetric. For every body of revolution the springs yield twice "
+    "The pressure of a sliding contact is not axisymmetric. For every body of revolution the springs give twice "
     "the resistance at low speed and the correct resistance at high speed. `shear_force` corrects this for an "
     "axisymmetric pressure. Reference: pressures computed in three dimensions. The maximum of the corrected "
     "force over speed is too high by 10, 33 and 50 %. These values apply to glassy moduli of 2, 10 and 100 times "
