@@ -319,15 +319,16 @@ def refused(table: Cells, reasons: Collection[str]) -> list[tuple[str, str]]:
 
 
 def opening(table: Cells) -> list[str]:
-    """Return the section of the page on what would open refused cells."""
+    """Return the section of the page on why cells are refused."""
     open_cells, closed = refused(table, table.opens), refused(table, table.physical)
     lines = [
-        "### What would open the refused cells",
+        "### Why problems are refused",
         "",
-        f"Of {len(table.cells)} cells {len(open_cells) + len(closed)} are refused. {len(closed)} of these have a "
-        f"physical reason; {len(open_cells)} need what is not built in.",
+        f"The tables have {len(table.cells)} combinations of problem and medium (cells), of which "
+        f"{len(open_cells) + len(closed)} are refused. {len(closed)} of these have a physical reason. For "
+        f"{len(open_cells)} the required computation is not implemented.",
     ]
-    for title, texts in (("what would open it", table.opens), ("physical reason", table.physical)):
+    for title, texts in (("not implemented", table.opens), ("physical reason", table.physical)):
         lines += ["", f"| {title} | cells | refused |", "|---|---|---|"]
         for key, text in texts.items():
             places = refused(table, [key])

@@ -50,7 +50,7 @@ def test_a_bad_map_says_so(here, capsys):
     options = ["--unit", "nm", "--lengths", "10 um", "--detrend", "plane", "--without-spikes"]
     assert main(["show", "tilted.txt", *options]) == 0
     clean = capsys.readouterr().out
-    assert "- Taken out of the measured heights, and bridged: 1 of 4096 pixels" in clean
+    assert "- Removed from the measured heights, and bridged: 1 of 4096 pixels" in clean
     assert "Missing" not in clean
     assert "takes" not in clean
 

@@ -55,10 +55,10 @@ def sticky(law, young: float, radius: float) -> tuple[Note, ...]:
 def test_the_range_of_attraction(law, young, radius, standing):
     """Tabor's parameter from its definition, with a range of 0.3 nm."""
     note = note_on(sticky(law, young, radius), "Range")
-    tabor = float(re.search(r"Tabor parameter ([-+.e0-9]+)", note.statement)[1])
+    tabor = float(re.search(r"Tabor parameter is ([-+.e0-9]+):", note.statement)[1])
     assert tabor == pytest.approx(math.cbrt(radius * (law.work / (young / 0.75)) ** 2) / 0.3e-9, rel=0.01)
     assert note.standing is standing
-    assert ("take Dugdale(work, strength)" in note.statement) == (standing is not Standing.ASYMPTOTIC)
+    assert ("use Dugdale(work, strength)" in note.statement) == (standing is not Standing.ASYMPTOTIC)
 
 
 def test_a_law_with_a_range_needs_no_such_note():
@@ -86,7 +86,7 @@ def test_a_thin_coating():
     assert note.standing is Standing.APPROXIMATE
     assert "0.5 of the thickness 400 nm" in note.statement
     assert (
-        "distinguished only by how this grows"
+        "distinguished only by the increase of this effect"
         in coated(4e-7, ("bed.medium.layers[0].solid.young", "bed.medium.on.young")).statement
     )
 
@@ -117,7 +117,7 @@ def test_a_contact_that_stays_on_the_ball_of_a_cone():
     tip = wk.SpheroConical(curvature_radius=1e-6, half_angle=0.6)
     model = wk.Indentation(wk.Foundation(tip, bed().medium), wk.Depth(1e-8))
     note = note_on(fit_notes(model, curve(), (PATH,), curve().position > 0.0, 1e-7, 0.01), "Tip")
-    assert "does not depend on the rest" in note.statement
+    assert "does not depend on the other parts" in note.statement
 
 
 def test_the_extent_of_the_baseline():

@@ -225,7 +225,7 @@ def test_media_that_know_no_ellipse_are_refused():
         wk.EllipticFoundation(wk.CurvedBodies(1e20, 1e-3), PAIR)
     zinc = wk.TransverselyIsotropic(162e9, 92e9, 69e9, 181e9, 47e9)
     crystal = wk.EllipticFoundation(wk.CurvedBodies(1e-2, 1e-3), wk.TransverselyIsotropicHalfSpace(zinc))
-    with pytest.raises(wk.OutsideValidity, match="along an ellipse is not known"):
+    with pytest.raises(wk.OutsideValidity, match="along an ellipse is not implemented"):
         crystal.tangential_stiffness(np.ones(1))
 
 
@@ -235,7 +235,7 @@ def test_the_direction_of_a_stiffness_is_stated():
     spots = wk.MeasuredBed(a, 2.0 * PAIR.modulus * a, a**2 / 1e-2, mindlin_ratio=0.8)
     path = wk.Path([0.0, 1.0], wk.Force(1.0), wk.Shift([0.0, 1e-9]))
     for bed, text in (
-        (SLENDER, "The shear is along x, where the semi-axis is 4.5 of that across"),
+        (SLENDER, "The shear force acts along x; the semi-axis along x is 4.5 times"),
         (spots, "ratio of tangential to normal stiffness is that of a disc. The outline of the contact is not known"),
     ):
         notes = wk.Tangential(bed, wk.Coulomb(0.3), path).solve().validity

@@ -106,5 +106,5 @@ def test_beyond_the_bed():
 
 def test_a_falling_gap_is_refused():
     wavy = wk.Foundation(wk.Formula("r**2 / 2 + 0.05 * (1 - cos(30 * r))", reach=1.0), MEDIUM)
-    with pytest.raises(wk.OutsideValidity, match=r"^Springs: g falls somewhere below the reach"):
+    with pytest.raises(wk.OutsideValidity, match=r"^Springs: g decreases somewhere below the reach"):
         wk.Springs.of(wavy, 0.8, 200)

@@ -102,7 +102,7 @@ def test_what_is_no_joint_is_refused(joint, tmp_path, monkeypatch):
     ):
         with pytest.raises(wk.WinklerError, match=sentence):
             make()
-    with pytest.raises(wk.OutsideValidity, match="CoatedHalfSpace is not known"):
+    with pytest.raises(wk.OutsideValidity, match="CoatedHalfSpace is not implemented"):
         written(contact(medium=layered))
     film = wk.HeatConductors(CONDUCTORS.first, CONDUCTORS.second, wk.ThermalInterface(1e-5))
     with pytest.raises(wk.OutsideValidity, match="thick conductors without film"):

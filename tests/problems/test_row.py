@@ -180,7 +180,7 @@ def test_a_step_that_no_row_can_take_is_refused_with_what_came_before_it():
 
 def test_a_step_that_never_settles_is_refused():
     row, reached = CurvedRow(allowed=1e-9, rough=1.0), []
-    with pytest.raises(wk.NotConverged, match="^Curve: at index 1 of the path the step does not settle"):
+    with pytest.raises(wk.NotConverged, match="^Curve: at index 1 of the path the step does not converge"):
         reached.extend(follow(row, [0.0, 1.0]))
     assert len(reached) == 1
     assert row.taken <= 3 * MOST_HALVINGS + 3
@@ -190,7 +190,7 @@ def test_a_path_that_settles_in_too_many_steps_alone_is_refused():
     """Halves whose error falls as slowly as their length would be walked for ever."""
     row, reached = CurvedRow(allowed=1e-9), []
     row.apart = lambda one, two: over(abs(one.lost - two.lost) ** 0.5, row.allowed)
-    with pytest.raises(wk.NotConverged, match="^Curve: at index 1 of the path the step does not settle"):
+    with pytest.raises(wk.NotConverged, match="^Curve: at index 1 of the path the step does not converge"):
         reached.extend(follow(row, [0.0, 1.0]))
     assert len(reached) == 1
     assert MOST_STEPS < row.taken < 4 * MOST_STEPS

@@ -86,7 +86,7 @@ def test_slopes_of_each_body():
         assert pair.steepest_slope(1e-4, 1e-3) == pytest.approx(0.2, rel=1e-12)
         assert note(pair).standing is wk.Standing.APPROXIMATE
     assert note(straight.together).standing is wk.Standing.APPROXIMATE
-    assert "That of a ball in a groove would be up to 0.212" in note(straight.together).statement
+    assert "For a ball in a groove the slope of the bodies would be up to 0.212" in note(straight.together).statement
     crossed = wk.CurvedPair(20e-3, math.inf, math.inf, 10e-3)
     assert {note(crossed).standing, note(crossed.together).standing} == {wk.Standing.ASYMPTOTIC}
     across = wk.CurvedPair(math.inf, 1e-2, math.inf, 2e-2, 0.3)

@@ -54,7 +54,7 @@ TARGETS: dict[str, tuple[str, Callable[[StepLaw, str], Mapping[str, str | bytes]
 
 @value
 class ExportedLaw:
-    """A contact law in another language.
+    """A contact law translated into another programming language.
 
     Parameters
     ----------
@@ -107,15 +107,16 @@ def export(
     name : str, optional
         With which functions and types begin; a word in small letters that is none of a target's language.
     tolerance : float, optional
-        Error of a normal force that is given by a table, over the greatest force.
+        Error of a normal force that is given by a table, over the maximum force.
     count : int, optional
         How many springs a Tangential has; `Contacts` state it themselves.
     precision : str, optional
         "double", or "float" in C: the heading states by how much the answers are off along the test trace.
 
     every_radius : bool, optional
-        Whether R of the pair goes into every step, so that balls of all sizes follow one law: of balls on homogeneous
-        media.  Lengths of the study (deepest point, rolling arm) are then in proportion to R; works of adhesion stay.
+        Whether the radius R of the pair is an input of every step, so that balls of all sizes have one law; for balls
+        on homogeneous media.  Lengths of the study (deepest point, rolling arm) are then in proportion to R; works of
+        adhesion stay.
 
     Returns
     -------

@@ -31,7 +31,7 @@ LEAST_DEPTH_RATIO = 1e-3
 
 @value
 class PeakStress:
-    """The greatest equivalent stress below a contact, and its place.
+    """The maximum equivalent stress below a contact, and its place.
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ class PeakStress:
 
 @value
 class PlacedStress:
-    """The greatest equivalent stress in a body under a sheared contact, and its place.
+    """The maximum equivalent stress in a body under a sheared contact, and its place.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ def peak_stress(solution: Dragged | SelfRestoring | TorsionState, *, below: bool
 def peak_stress(
     solution: Restorable | Dragged | SelfRestoring | TorsionState, *, below: bool = True
 ) -> PeakStress | PlacedStress:
-    """Return the greatest von Mises stress and its place; in a layered body layer by layer, on both sides of each face.
+    """Return the maximum von Mises stress and its place; in a layered body layer by layer, on both sides of each face.
 
     Parameters
     ----------
@@ -83,8 +83,8 @@ def peak_stress(
     Returns
     -------
     PeakStress or PlacedStress
-        The latter of a sheared contact, or of a twisted one, there below the surface by a thousandth of the contact
-        radius or more. Infinite at a sharp kink, edge or apex.
+        PlacedStress for a sheared or twisted contact. For a twisted one the place is at least a thousandth of the
+        contact radius below the surface. Infinite at a sharp kink, edge or apex.
     """
     if isinstance(solution, TorsionState):
         return _twisted_peak(solution, 1.0 if below else -1.0)

@@ -39,18 +39,18 @@ PAIRS_PER_CHUNK = 1 << 20
 
 @value
 class Staircase:
-    """Flat punches of growing radius that together press like one body.
+    """A stack of flat punches of increasing radius with the pressure of the body.
 
     Parameters
     ----------
     radii : ndarray, (n,)
         Of the punches [m], ascending.
     increments : ndarray, (n,)
-        By how much each sinks [m].
+        Depth of each punch [m].
     modulus : float
         Effective modulus E* of the medium [Pa].
     pressed : PressedSprings
-        The springs of the contact that is taken apart.
+        The springs of the contact.
     """
 
     __words__ = words(
@@ -84,9 +84,9 @@ class Staircase:
         Returns
         -------
         ndarray
-            p [Pa]; infinite at the edge of every punch.  In between it approaches the pressure of the contact as
-            1/sqrt(count), where the Hurwitz zeta function of order 1/2 vanishes, 0.3027 of a step below an edge, as
-            count^(-3/2).
+            p [Pa]; infinite at the edge of every punch.  Between the edges the error of the pressure falls as
+            1/sqrt(count). At 0.3027 of a step below an edge, where the Hurwitz zeta function of order 1/2 vanishes, it
+            falls as count^(-3/2).
         """
 
         def kernel(r: Array, b: Array) -> Array:
@@ -161,8 +161,8 @@ def staircase(solution: Restorable, count: int) -> Staircase:
     solution
         The solution of a problem, for one load, on a homogeneous half-space.
     count : int
-        How many punches follow the shape of the body; one more stands for the flat end of a body that is pinned at
-        its rim.  The depth is met exactly, force and outer displacement with an error that falls as 1/count^2.
+        Number of punches along the shape of the body; one more represents the flat end of a body pinned at its rim.
+        The depth is met exactly, force and outer displacement with an error that falls as 1/count^2.
 
     Returns
     -------

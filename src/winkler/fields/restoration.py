@@ -99,12 +99,12 @@ class SubsurfaceFields:
 
     @property
     def principal(self) -> Array:
-        """Principal stresses [Pa], greatest first, along a last axis of length 3."""
+        """Principal stresses [Pa], largest first, along a last axis of length 3."""
         return principal(self.radial_stress, self.hoop_stress, self.axial_stress, self.shear_stress)
 
     @property
     def max_shear(self) -> Array:
-        """Greatest shear stress [Pa]."""
+        """Maximum shear stress [Pa]."""
         return max_shear(self.radial_stress, self.hoop_stress, self.axial_stress, self.shear_stress)
 
 

@@ -50,7 +50,7 @@ class Comparison:
     aic, bic : ndarray, (m,)
         Akaike's and Schwarz' criterion [-]; only differences mean something.
     refused : tuple of str
-        Models that could not be fitted, with their reasons.
+        Models that could not be fitted, with the reasons.
     """
 
     __words__ = words(
@@ -107,7 +107,7 @@ class Comparison:
 
     @property
     def decided(self) -> bool:
-        """Whether the curve excludes all models but the best, of which there is one at least, and all were fitted."""
+        """Whether all models were fitted and the curve excludes all but the best one."""
         return len(self.possible) == 1 < len(self.models) and not self.refused
 
     @property
@@ -144,7 +144,7 @@ def compare(
     noise : float or ndarray, optional
         As in `fit`.
     time_limit : float, optional
-        The longest that the fit of one model may take [s].
+        Time limit of the fit of one model [s].
 
     Returns
     -------
@@ -153,7 +153,7 @@ def compare(
     Raises
     ------
     InvalidInput
-        If the curve is refused, or no model is given.
+        If the curve is not supported, or no model is given.
     OutsideValidity
         If no model can be fitted.
     """

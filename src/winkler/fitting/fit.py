@@ -96,11 +96,11 @@ def fit(
     Parameters
     ----------
     curve : ForceCurve
-        One approach, one retraction, or both; points of holds are left out, unless the model relaxes.
+        One approach, one retraction, or both; hold periods are omitted, unless the model is viscoelastic.
     model : Indentation, AdhesiveIndentation or ViscoelasticIndentation
-        The problem; its load is only a placeholder, Depth(0.0).  Free parameters begin at the values of the model.  The
-        path of a body that relaxes defines the input: Path([0.0], Depth(0.0)), and forces are fitted along the measured
-        motion; Path([0.0], Force(0.0)), and positions under the measured forces.
+        The problem; its load is only a placeholder, Depth(0.0).  Free parameters begin at the values of the model.  For
+        a viscoelastic body the path defines the input. With Path([0.0], Depth(0.0)) forces are fitted along the
+        measured motion, with Path([0.0], Force(0.0)) positions under the measured forces.
     free : mapping or iterable of str
         Paths into the model ("bed.medium.first.young", "law.work") and parameters of the curve ("contact_point",
         "baseline", "tilt", with times also "drift" of the position [m/s], "drag" [N s/m] of a liquid on the

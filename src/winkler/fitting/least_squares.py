@@ -88,8 +88,8 @@ def solved(task: FitTask, coordinates: Array, search: Search, *, coarse: bool = 
     )
     if not result.success and not coarse:
         raise NotConverged(
-            f"fit: least squares have not settled after {evaluations} predictions; give bounds or starts nearer to the "
-            "answer, or fewer free numbers."
+            f"fit: least squares have not converged after {evaluations} predictions; give bounds or starts nearer "
+            "to the answer, or fewer free numbers."
         )
     return np.asarray(result.x), float(2.0 * result.cost) * size**2
 

@@ -21,8 +21,8 @@ __all__ = ["AnyFit", "CreepFit", "Fit", "ViscoelasticFit"]
 QUASISTATIC = Note(
     Assumption.CURVE,
     Standing.APPROXIMATE,
-    "Machine and liquid: the cantilever has no inertia, and the drag of a liquid is proportional to the "
-    "velocity of its base, if drag is free; an adhesive pull is no part of the model.",
+    "Machine and liquid: the model has no inertia of the cantilever and no adhesive pull. The drag of a liquid "
+    "is proportional to the velocity of the cantilever base, if drag is free.",
     "assumptions of the fit",
 )
 
@@ -147,7 +147,7 @@ class CreepFit(_RelaxingFit):
     Parameters
     ----------
     curve : ForceCurve
-        Positions are fitted under its forces; during approach, up to a tenth of the greatest force, forces are fitted.
+        Positions are fitted under its forces; during approach, up to a tenth of the maximum force, forces are fitted.
     model : ViscoelasticIndentation
         With the fitted numbers, under the forces of the contact.
     noise : float
@@ -157,8 +157,8 @@ class CreepFit(_RelaxingFit):
     scatter : float
         Standard deviation of the weighted residuals [m].
     predicted : ndarray, (n,)
-        Fitted positions [m]; where the force was fitted, the measured ones less its misfit, a standard deviation of
-        the force for one of the position.
+        Fitted positions [m]. Where the force was fitted: measured positions minus the misfit, with one standard
+        deviation of the force for one of the position.
     depth : ndarray, (n,)
         Fitted d [m].
     """

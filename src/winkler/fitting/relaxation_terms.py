@@ -45,11 +45,11 @@ def compare_terms(
     free : mapping or iterable of str
         As for `winkler.fitting.fit.fit`; whole rows, such as "bed.medium.first.shears".
     most : int, optional
-        The greatest number of terms, up to 8.
+        The maximum number of terms, up to 8.
     noise : float or ndarray, optional
         As for `fit`.
     time_limit : float, optional
-        The longest that one of the fits may take [s].
+        Time limit of one fit [s].
 
     Returns
     -------

@@ -103,7 +103,7 @@ class Search:
         if time.monotonic() > self.end:
             many = f"{self.evaluations} evaluation{'s' * (self.evaluations != 1)}"
             raise NotConverged(
-                f"fit: least squares have not settled within the time limit of {self.time_limit:g} s, after "
-                f"{many}; give more time, starts or bounds nearer to the answer, fewer free "
-                "numbers, or fewer points."
+                f"fit: least squares have not converged within the time limit of {self.time_limit:g} s, after "
+                f"{many}; give more time, starts or bounds nearer to the answer, fewer free numbers, or fewer "
+                "points."
             )

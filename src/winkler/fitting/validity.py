@@ -102,12 +102,13 @@ def coating_notes(bed: Bed, names: tuple[str, ...], widest: float) -> list[Note]
         measured = "the coating was measured like a half-space"
         conclusion = f"the curve hardly depends on {', '.join(deep)}" if deep else measured
     elif deep and any(name.startswith(TOP_LAYER) for name in names):
-        conclusion = "coating and substrate are distinguished only by how this grows with the depth"
+        conclusion = "coating and substrate are distinguished only by the increase of this effect with depth"
     else:
-        conclusion = "the fitted parameters depend on the fixed ones of coating and substrate"
+        conclusion = "the fitted parameters depend on the fixed parameters of coating and substrate"
     statement = (
-        f"Coating: the widest contact is {widest / thickness:.3g} of the thickness {with_unit(thickness, 'm', 3)}, and "
-        f"what lies below the top layer changes its stiffness by {float(f'{100.0 * below:.3g}'):+g} %: {conclusion}."
+        f"Coating: the widest contact is {widest / thickness:.3g} of the thickness "
+        f"{with_unit(thickness, 'm', 3)}. The material below the top layer changes its stiffness by "
+        f"{float(f'{100.0 * below:.3g}'):+g} %: {conclusion}."
     )
     return [Note(Assumption.CURVE, standing, statement, PUNCHES)]
 
@@ -120,8 +121,8 @@ def _tip_notes(model: Model, names: tuple[str, ...], widest: float) -> Iterator[
     corners = [b for b, _ in bed.kinks if 0.0 < b < math.inf]
     if corners and widest < corners[0]:
         statement = (
-            f"Tip: the widest contact, {with_unit(widest, 'm', 3)}, stays within the first part of the tip, which ends "
-            f"at {with_unit(float(corners[0]), 'm', 3)}; the curve does not depend on the rest."
+            f"Tip: the widest contact, {with_unit(widest, 'm', 3)}, stays within the first part of the tip, which "
+            f"ends at {with_unit(float(corners[0]), 'm', 3)}; the curve does not depend on the other parts."
         )
         yield Note(Assumption.SHAPE, Standing.EXACT, statement, "corners of the profile")
     profile = bed.profile
@@ -131,7 +132,7 @@ def _tip_notes(model: Model, names: tuple[str, ...], widest: float) -> Iterator[
     deepest = float(np.max(model.load.depth)) if isinstance(model.load, Depth) else 0.0
     if widest >= radius:
         standing = Standing.OUTSIDE
-        conclusion = "there a paraboloid differs from a ball; if the tip is one, give Sphere"
+        conclusion = "a paraboloid differs from a ball at this width; if the tip is a ball, give Sphere"
     elif deepest > 0.0:
         load = Depth(deepest)
         ball = Foundation(Sphere(radius), bed.medium)
@@ -183,7 +184,7 @@ def free_notes(curve: ForceCurve, contact: Array, error: float) -> list[Note]:
         parts.append(f"{count} points over {with_unit(along, 'm', 3)} ({share:.0%} of the travel) on {word}")
         is_poor |= count < FEW_FREE or share < LEAST_FREE_SHARE
     statement = (
-        f"Baseline: out of contact are {' and '.join(parts)}; the scatter is {error:.2g} of the range of forces: "
-        f"{'too few' if is_poor else 'enough'} for the zero of force{', which depends on the model' * is_poor}."
+        f"Baseline: out of contact are {' and '.join(parts)}; the scatter is {error:.2g} of the force range. This "
+        f"is {'too few' if is_poor else 'enough'} for the zero of force{', which depends on the model' * is_poor}."
     )
     return [Note(Assumption.CURVE, Standing.APPROXIMATE if is_poor else Standing.EXACT, statement, POINTS)]

@@ -36,8 +36,8 @@ __all__ = ["DirectionalBed"]
 LAYERED_DISCS = Note(
     Assumption.SHAPE,
     Standing.ASYMPTOTIC,
-    "Radii are those of discs as stiff on the same layers; the shape of the contact, its pressure and what it conducts "
-    "are not those of a disc.",
+    "Radii are those of discs with the same stiffness on the same layers. The outline, pressure and conductance "
+    "of the real contact differ from those of a disc.",
     BARBER,
 )
 PARTS = np.arange(1, 17) / 16.0

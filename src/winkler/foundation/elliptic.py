@@ -42,9 +42,9 @@ HOMOGENEOUS_MEDIUM = Condition(
 
 @value
 class EllipticFoundation(UnderProfile):
-    """The springs that stand for bodies of two curvatures, in problems that need force, depth and stiffness.
+    """A spring foundation with the force, depth and stiffness of an elliptic contact.
 
-    Problems that need a disc (adhesion, wear, heating, rolling, torsion, the fields) refuse it.
+    Problems that need a round contact (adhesion, wear, heating, rolling, torsion, subsurface fields) do not support it.
 
     Parameters
     ----------
@@ -87,7 +87,7 @@ class EllipticFoundation(UnderProfile):
 
     @property
     def profile(self) -> Paraboloid:  # type: ignore[override]
-        """The ball whose force grows with depth as that of the bodies."""
+        """The ball with the same force-depth curve."""
         return Paraboloid(self.bodies.equivalent_radius)
 
     @property
@@ -104,14 +104,14 @@ class EllipticFoundation(UnderProfile):
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """What the springs stand for."""
+        """The contact that the springs represent."""
         return (
             *self.medium.notes,
             Note(
                 Assumption.SHAPE,
                 Standing.EXACT,
-                f"The springs stand for an ellipse of b/a = {self.bodies.slenderness:.4g}: force, depth and "
-                "stiffness are Hertz's; the radius is that of the disc of equal stiffness.",
+                f"The springs represent an ellipse with b/a = {self.bodies.slenderness:.4g}. Force, depth and "
+                "stiffness are those of Hertz; the radius is that of the disc of equal stiffness.",
                 JOHNSON,
             ),
         )
@@ -134,7 +134,7 @@ class EllipticFoundation(UnderProfile):
         if not isinstance(self.medium, HalfSpace | ViscoelasticHalfSpace):
             raise OutsideValidity(
                 f"EllipticFoundation: the deformation of a {type(self.medium).__name__} along an ellipse is not "
-                "known to winkler; give HalfSpace."
+                "implemented; give HalfSpace."
             )
         normal, disc = self.medium.normal_stiffness(x), self.medium.tangential_stiffness(x)
         return np.asarray(1.0 / (1.0 / normal + 2.0 * self.footprint.shear_share * (1.0 / disc - 1.0 / normal)))

@@ -66,8 +66,8 @@ class UnknownOutline:
     def unlike_disc(self) -> str:
         """What the springs stand for, which results they give, and what to use instead."""
         return (
-            f"the bed stands for {self.origin}: it gives force, depth and stiffness, not the outline of the contact; "
-            f"{self.instead}"
+            f"the foundation represents {self.origin}: it gives force, depth and stiffness, not the outline of "
+            f"the contact; {self.instead}"
         )
 
     @property
@@ -96,8 +96,9 @@ class EllipticOutline:
     def unlike_disc(self) -> str:
         """What the springs stand for, which results they give, and what to use instead."""
         return (
-            f"the bed stands for an ellipse of b/a = {self.slenderness:.4g}: it gives force, depth, stiffness and "
-            "area; use EllipticIndentation for its pressure, or give Foundation(profile, medium) of a round body"
+            f"the foundation represents an ellipse of b/a = {self.slenderness:.4g}: it gives force, depth, "
+            "stiffness and area; use EllipticIndentation for its pressure, or give Foundation(profile, medium) "
+            "of a round body"
         )
 
     @property

@@ -73,8 +73,9 @@ def bed_points(depth: ArrayLike, force: ArrayLike, modulus: float) -> BedPoints:
     free = choose(d, f)
     if free.residual > LARGEST_SCATTER * np.max(f):
         raise InvalidInput(
-            f"{METHOD}: the points lie {free.residual:.3g} N from any smooth curve, {free.residual / np.max(f):.0%} of "
-            "the greatest force; they are not one loading: cut unloading, holding and what comes before first touch."
+            f"{METHOD}: the points lie {free.residual:.3g} N from any smooth curve, "
+            f"{free.residual / np.max(f):.0%} of the maximum force; they are not one loading: cut unloading, "
+            "holding and what comes before first touch."
         )
     _refuse_approach(d, f, free)
     curve = fit_convex(d, f)
@@ -129,8 +130,8 @@ def _points(depth: ArrayLike, force: ArrayLike) -> tuple[Array, Array]:
         )
     if means[-1] <= 0.0:
         raise InvalidInput(
-            f"{METHOD}: the force at the greatest depth is {means[-1]:.6g} N; compression is positive: give loading "
-            "alone, with its sign."
+            f"{METHOD}: the force at the maximum depth is {means[-1]:.6g} N; compression is positive: give "
+            "loading alone, with its sign."
         )
     return places, means
 

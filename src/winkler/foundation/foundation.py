@@ -18,7 +18,7 @@ __all__ = ["Foundation"]
 
 @value
 class Foundation(UnderProfile):
-    """The springs that stand for a profile pressed into a medium.
+    """The spring foundation that represents a profile pressed into a medium.
 
     Parameters
     ----------

@@ -70,9 +70,9 @@ class LineFoundation(LineBed):
     Parameters
     ----------
     profile : Profile
-        The gap f between the undeformed bodies, at the distance of x from the middle: `Paraboloid` is a parabolic
-        cylinder, `Cone` a wedge, `FlatPunch` a flat one of half-width `radius`, `RoundedPunch` a flat one with rounded
-        edges.
+        The gap f between the undeformed bodies at the distance of x from the middle. `Paraboloid` is a parabolic
+        cylinder, `Cone` a wedge, `FlatPunch` a flat punch of half-width `radius`, `RoundedPunch` a flat punch with
+        rounded edges.
     medium : HalfSpace or TransverselyIsotropicHalfSpace
         Both bodies, homogeneous, in plane strain.
 
@@ -133,7 +133,7 @@ class LineFoundation(LineBed):
         return self
 
     def repeated(self, profile: Profile, pitch: float) -> LineFoundation:
-        """Return the bed of strips at a pitch [m] whose profile over u is given (`winkler.foundation.periodic`)."""
+        """Return the foundation of strips at a pitch [m] with a given profile over u."""
         return LineFoundation(profile, self.medium)
 
     def zoned(self, strength: float, half_width: float, outer: float) -> ZonedBed:
@@ -180,7 +180,7 @@ class LineFoundation(LineBed):
         half_width : float
             a [m].
         rim_load : float
-            Load per length over E* that the edge bears beyond w(a) [m]: at a rim, or negative where adhesion pulls.
+            Load per length over E* of the edge in addition to w(a) [m]: positive at a rim, negative under adhesion.
 
         Returns
         -------

@@ -105,12 +105,12 @@ class MeasuredMedium:
 
 @value
 class MeasuredBed:
-    """Springs whose stiffness and gap were measured or computed.
+    """A spring foundation with measured or computed stiffness and gap.
 
     Parameters
     ----------
     radii : array_like, (n,)
-        Contact radii a [m], rising; for a contact that is no disc, those of the disc of equal stiffness.
+        Contact radii a [m], rising; for a contact that is not a disc, those of the disc of equal stiffness.
     stiffnesses : array_like, (n,)
         k = dF/dd [N/m] at these radii, rising.
     depths : array_like, (n,)
@@ -121,8 +121,8 @@ class MeasuredBed:
         c_T/c_N = G*/E* [-], for tangential problems; 2 (1 - nu) / (2 - nu) for a homogeneous body against a rigid
         one. Zero (the default) if it is not known.
     disc : bool, optional
-        Whether the contact is known to be a disc of these radii: problems that need one, such as adhesion, are refused
-        otherwise.
+        Whether the contact is known to be a disc of these radii. Problems that need a disc, such as adhesion, require
+        True.
 
     Raises
     ------
@@ -170,8 +170,8 @@ class MeasuredBed:
         Raises
         ------
         InvalidInput
-            If the data are too few or not finite, are not counted from first touch, or lie so far from every convex
-            curve that they are no contact.
+            If the data are too few or not finite, do not start at first touch, or deviate too much from every convex
+            curve.
         """
         points = bed_points(depth, force, modulus)
         rows = (points.radii, points.stiffnesses, points.depths)
@@ -179,17 +179,17 @@ class MeasuredBed:
 
     @property
     def footprint(self) -> Footprint:
-        """A disc if it is known to be one."""
+        """A disc, if the contact is known to be one."""
         return DISC if self.disc else UNKNOWN_OUTLINE
 
     @property
     def medium(self) -> MeasuredMedium:
-        """A medium of which nothing but the stiffness is known."""
+        """A medium with known stiffness and no other property."""
         return MeasuredMedium(self)
 
     @property
     def reach(self) -> float:
-        """The greatest measured radius [m]."""
+        """The maximum measured radius [m]."""
         return float(self.radii[-1])
 
     rim = math.inf
@@ -213,24 +213,21 @@ class MeasuredBed:
     @property
     def notes(self) -> tuple[Note, ...]:
         """What the points are, and how well they were fitted."""
-        how = (
-            f"; the force curve behind them is met within {self.scatter:.3g} N (root mean square)"
-            if self.scatter
-            else ""
-        )
+        how = f"; the force curve is met within {self.scatter:.3g} N (root mean square)" if self.scatter else ""
         return (
             Note(
                 Assumption.RESPONSE,
                 Standing.APPROXIMATE if self.scatter else Standing.ASYMPTOTIC,
-                f"Stiffness and depth were given at {self.radii.size} contact radii{how}; what follows from them is as "
-                "good as they are, for bodies of any shape.",
+                f"Stiffness and depth were given at {self.radii.size} contact radii{how}. Results are as accurate "
+                "as these values, for bodies of any shape.",
                 BARBER,
             ),
             Note(
                 Assumption.SHAPE,
                 Standing.ASYMPTOTIC,
-                "Radii are those of discs of equal stiffness, and slopes those of the body of revolution that a "
-                "homogeneous half-space would need; the true body and its pressure are not known.",
+                "Radii are those of discs of equal stiffness. Slopes are those of the body of revolution that "
+                "would have this stiffness on a homogeneous half-space. The true body and its pressure are not "
+                "known.",
                 "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, "
                 "doi:10.1007/978-3-642-53876-6",
             ),

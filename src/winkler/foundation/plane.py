@@ -36,7 +36,7 @@ class PlaneFoundation(OfShape):
     plane_profile : Profile
         Its height, read as a function of x, is g(x).
     medium : Medium
-        Any; the body and its separation are known for half-spaces, homogeneous, graded or layered.
+        Any medium; body and separation are computed for homogeneous, graded or layered half-spaces.
 
     Raises
     ------

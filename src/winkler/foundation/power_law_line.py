@@ -100,14 +100,14 @@ class PowerLawLineFoundation(LineBed):
 
     @property
     def strained(self) -> Any:
-        """Refused: a bulk stress bends a body whose modulus changes with the depth."""
+        """Not supported: a bulk stress bends a body whose modulus changes with depth."""
         raise OutsideValidity(
             "A bulk stress in a body graded by a power of the depth is not even; give homogeneous bodies or layers."
         )
 
     @property
     def mismatch(self) -> float:
-        """Zero of bodies that are alike; else not a number, and how one draws the other along is left out."""
+        """Zero for equal bodies; otherwise nan, and the coupling of the bodies is neglected."""
         return self.medium.mismatch
 
     def _stiffer(self, unit: float) -> float:
@@ -126,12 +126,12 @@ class PowerLawLineFoundation(LineBed):
         return self.along_share * self._stiffer(reference) * spacing * unit
 
     def slopes(self, part: Wave, nodes: Array, x: Array) -> Array:
-        """As `LineBed.slopes`; how pressures draw along bodies that are not alike is refused."""
+        """As `LineBed.slopes`; coupling of different bodies is not supported."""
         if part is Wave.COUPLING:
             if not self.similar:
                 raise OutsideValidity(
-                    "How pressure and traction act on each other on a GradedHalfSpace of two unlike bodies is not "
-                    "built in: give coupled = False."
+                    "Coupling of pressure and traction on a GradedHalfSpace of two different bodies is not "
+                    "implemented: give coupled = False."
                 )
             return np.zeros((x.size, nodes.size - 2))
         share, unit = self.along_share if part is Wave.ALONG else 1.0, float(nodes[-1] - nodes[0])
@@ -139,7 +139,7 @@ class PowerLawLineFoundation(LineBed):
         return 2.0 * share * self._stiffer(unit) * slope
 
     def drawn(self, x: Array, half_width: float) -> Array:
-        """Zero: of bodies that are alike nothing is drawn along, of others that is left out."""
+        """Zero: equal bodies have no coupling, and that of others is neglected."""
         return np.zeros(x.shape)
 
     @property
@@ -166,7 +166,7 @@ class PowerLawLineFoundation(LineBed):
     def zone_gap(self, half_width: Array, span: Array, strength: float) -> tuple[Array, Array]:
         """Refused: an attraction with a range is not known here."""
         raise OutsideValidity(
-            "An attraction with a range beside a strip on a GradedHalfSpace is not built in; give ShortRange(work)."
+            "An attraction with a range beside a strip on a GradedHalfSpace is not implemented; give ShortRange(work)."
         )
 
     def grid_transforms(self, nodes: Array) -> StripTransforms:
@@ -188,7 +188,7 @@ class PowerLawLineFoundation(LineBed):
 
     @property
     def single(self) -> bool:
-        """Whether every contact is known to be one strip: of a profile of one power."""
+        """Whether every contact is known to be one strip: true for a profile that is one power."""
         return isinstance(self.profile, Paraboloid | PowerLaw)
 
     @property
@@ -266,7 +266,7 @@ class PowerLawLineFoundation(LineBed):
         Raises
         ------
         OutsideValidity
-            If k is not positive: then the surface sinks without bound.
+            If k is not positive: then the surface displacement is infinite.
         """
         k, a = self.exponent, np.asarray(half_width, dtype=float)
         if k <= 0.0:

@@ -39,11 +39,11 @@ class ShearedFields:
     pressure : ndarray
         p [Pa], compression positive, zero outside the contact.
     traction : ndarray, (...) or (..., 2)
-        tau [Pa] with which the second body drags the first along x, in the plane ``(tau_x, tau_y)``.
+        tau [Pa] on the first body along x, in planar motion ``(tau_x, tau_y)``.
     tangential_displacement : ndarray, of the shape of the traction
-        u_x [m], of both surfaces together, mean over the circle with radius r; positive along the traction.
+        u_x [m], sum over both surfaces, averaged over the circle with radius r; positive along the traction.
     slip : ndarray, of the shape of the traction
-        U - u_x [m], mean over the circle: how far the surfaces stand displaced against each other.  Where they have
+        U - u_x [m], averaged over the circle: the relative tangential displacement of the surfaces.  Where they have
         touched all the time, how far they have slipped.
     """
 
@@ -92,12 +92,12 @@ class BodyFields:
 
     @property
     def principal(self) -> Array:
-        """Principal stresses [Pa], greatest first, along a last axis of length 3; nan where they are infinite."""
+        """Principal stresses [Pa], largest first, along a last axis of length 3; nan where they are infinite."""
         return principal_of_tensor(*self._stresses)
 
     @property
     def max_shear(self) -> Array:
-        """Greatest shear stress [Pa], half the spread of the principal stresses; nan where they are infinite."""
+        """Maximum shear stress [Pa], half the spread of the principal stresses; nan where they are infinite."""
         stresses = self.principal
         return np.asarray(0.5 * (stresses[..., 0] - stresses[..., 2]))
 
@@ -242,7 +242,7 @@ def _half_space(pressed: PressedSprings) -> HalfSpace:
     medium = pressed.bed.medium
     if not isinstance(medium, HalfSpace):
         raise OutsideValidity(
-            f"The fields of a traction inside a {type(medium).__name__} are not known to winkler; request the surface "
+            f"The fields of a traction inside a {type(medium).__name__} are not implemented; request the surface "
             "(restore(solution, r)), or use HalfSpace."
         )
     return medium

@@ -28,7 +28,7 @@ __all__ = ["Springs"]
 
 @value
 class Springs:
-    """Independent springs in a row; each stands for both sides of the axis.
+    """Independent springs along a line; each represents both sides of the axis.
 
     Parameters
     ----------
@@ -66,8 +66,7 @@ class Springs:
         ----------
         bed : Bed
         reach : float
-            Up to which x [m]; not beyond what is known of the bed, nor beyond its rim.  Best the radius of the widest
-            contact.
+            Maximum x [m], within the known range of the foundation and its rim.  Best the radius of the widest contact.
         count : int
             How many, at least two; under a flat end only the last one there is kept.
 
@@ -92,7 +91,8 @@ class Springs:
         gap[0] = max(gap[0], 0.0)
         if np.any(np.diff(gap) < 0.0):
             raise OutsideValidity(
-                "Springs: g falls somewhere below the reach; the contact is no disc that grows, give a smaller reach."
+                "Springs: g decreases somewhere below the reach, so the contact is not a growing disc; give "
+                "a smaller reach."
             )
         distinct = np.append(gap[1:] > gap[:-1], True)
         x, gap = x[distinct], gap[distinct]
@@ -121,7 +121,7 @@ class Springs:
         return float(self.stiffness @ np.maximum(depth - self.gap, 0.0))
 
     def depth(self, force: Array) -> Array:
-        """Depth [m] at which the springs bear given normal forces (m,) [N], not negative."""
+        """Depth [m] of the springs under given normal forces (m,) [N], not negative."""
         slopes = np.cumsum(self.stiffness)
         corners = np.concatenate([[0.0], np.cumsum(slopes[:-1] * np.diff(self.gap))])
         beyond = np.maximum(force - corners[-1], 0.0) / slopes[-1]

@@ -68,8 +68,8 @@ def write_surface_interaction(
         What the bodies conduct: adds ``*GAP CONDUCTANCE`` over the pressure, of the spots alone.  Thick conductors,
         without platings or a resistance between them.
     law : Coulomb, optional
-        Adds ``*FRICTION``, with the tangential stiffness of the sticking joint under the greatest load: the stick
-        slope of CalculiX, the elastic slip of Abaqus.
+        Adds ``*FRICTION``, with the tangential stiffness of the sticking joint under the maximum load: the stick slope
+        of CalculiX, the elastic slip of Abaqus.
     length_unit : {"m", "mm"}, optional
         With "mm" pressures are in MPa and conductances in mW/(mm\ :sup:`2` K).
 
@@ -160,7 +160,7 @@ def _rows(contact: SurfaceContactSolution) -> tuple[Array, Array, Array]:
         raise InvalidInput("write_surface_interaction: give a contact under at least two loads, each above the last.")
     if not np.all(np.isfinite(stiffness)):
         raise OutsideValidity(
-            "write_surface_interaction: under the greatest load the surfaces touch everywhere; leave such loads out."
+            "write_surface_interaction: under the maximum load the surfaces touch everywhere; leave such loads out."
         )
     return closure, pressure, stiffness
 

@@ -83,7 +83,7 @@ def write_vtk(
 
     Notes
     -----
-    Written are the stress as a tensor, the displacement as a vector, and von Mises' stress and the greatest shear
+    Written are the stress as a tensor, the displacement as a vector, and von Mises' stress and the maximum shear
     stress; of a current its density, potential and temperature; of heat its flux and the excess temperature.  z of a
     tensor or vector in the second body (z < 0) points as in the first one: out of the second body.
 

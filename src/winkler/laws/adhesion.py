@@ -25,9 +25,9 @@ NO_ATTRACTION_ADVICE = Advice("for bodies that do not attract each other use Ind
 
 @value
 class ShortRange:
-    """Attraction of vanishing range: the edge of the contact is the tip of a crack (JKR).
+    """Attraction of vanishing range: the edge of the contact is a crack tip (JKR).
 
-    Give `work`, or both others if parting takes more than closing returns.
+    Give `work`, or both works if separation needs more energy than closing returns.
 
     Parameters
     ----------

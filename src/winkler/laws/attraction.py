@@ -18,7 +18,7 @@ __all__ = ["ExponentialAttraction", "LennardJones"]
 
 @value
 class ExponentialAttraction:
-    r"""Attraction that fades exponentially with the gap, behind a hard wall: w/r exp(-g/r).
+    r"""Attraction that decays exponentially with the gap, with impenetrable surfaces: w/r exp(-g/r).
 
     Parameters
     ----------
@@ -52,13 +52,13 @@ class ExponentialAttraction:
 
     @property
     def strength(self) -> float:
-        """The greatest attraction, work / range [Pa]."""
+        """The maximum attraction, work / range [Pa]."""
         return self.work / self.range
 
 
 @value
 class LennardJones:
-    r"""Attraction and repulsion of two solids whose molecules have a Lennard-Jones potential (8-2, or 3-9, law).
+    r"""Attraction and repulsion of two solids with the Lennard-Jones potential between molecules (8-2, or 3-9, law).
 
     .. math:: \sigma(g) = \frac{8w}{3z_0}\left[\left(\frac{z_0}{g}\right)^3-\left(\frac{z_0}{g}\right)^9\right]
 
@@ -94,5 +94,5 @@ class LennardJones:
 
     @property
     def strength(self) -> float:
-        """The greatest attraction, 16 w / (9 sqrt(3) z_0) [Pa], at the gap of 3^(1/6) z_0."""
+        """The maximum attraction, 16 w / (9 sqrt(3) z_0) [Pa], at the gap of 3^(1/6) z_0."""
         return 16.0 / (9.0 * math.sqrt(3.0)) * self.work / self.spacing

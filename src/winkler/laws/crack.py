@@ -34,14 +34,14 @@ EXPONENT_RANGE = Number(f"it must be a number from {SMALLEST_EXPONENT:g} to 1", 
 
 @value
 class RateDependentWork:
-    """A work of opening that grows with a power of the speed of the crack (Gent and Schultz).
+    """A work of opening that grows with a power of the crack speed (Gent and Schultz).
 
     Parameters
     ----------
     work : float
         w_0 [J/m^2] of slow opening, and of closing; positive.
     reference_speed : float
-        v_0 [m/s], at which opening takes twice as much; positive.
+        v_0 [m/s], at which the work of opening is twice that at rest; positive.
     exponent : float
         n [-], from 0.001 to 1.
 
@@ -85,18 +85,18 @@ class RateDependentWork:
 
 @value
 class SaturatingWork:
-    """A work of opening that grows with the speed of the crack and comes to an end.
+    """A work of opening that grows with the crack speed up to a limit.
 
-    The form between both ends is a choice; the ends are those of a crack in a linear viscoelastic body.
+    The limits are those of a crack in a linear viscoelastic body; the form between them is an assumption.
 
     Parameters
     ----------
     work : float
         w_0 [J/m^2] of slow opening, and of closing; positive.
     fast_work : float
-        w_inf [J/m^2] of the fastest opening, more than `work`; a crack that is driven by more runs at once.
+        w_inf [J/m^2], the limit for fast opening, more than `work`; a crack with a larger driving energy jumps.
     reference_speed : float
-        v_0 [m/s], at which opening takes the mean of both; positive.
+        v_0 [m/s], at which the work of opening is the mean of both limits; positive.
     exponent : float
         n [-], from 0.001 to 1.
 

@@ -13,7 +13,7 @@ __all__ = ["SurfaceFilm", "ThermalInterface"]
 
 @value
 class SurfaceFilm:
-    """A thin film of equal resistance everywhere in the contact: an oxide, a tarnish, water.
+    """A thin film of uniform resistance over the contact: an oxide, a tarnish film, water.
 
     Parameters
     ----------
@@ -36,7 +36,7 @@ CONDUCTANCE_RANGE = POSITIVE_OR_INFINITE._replace(
 
 @value
 class ThermalInterface:
-    """Surfaces that hold heat back where they touch.
+    """A thermal resistance of the surfaces in contact.
 
     Parameters
     ----------

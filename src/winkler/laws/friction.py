@@ -19,12 +19,12 @@ __all__ = ["Coulomb", "Friction", "Overcome", "Sliding", "StaticKinetic"]
 
 @value
 class Coulomb:
-    """Friction in proportion to pressure.
+    """Friction proportional to pressure.
 
     Parameters
     ----------
     coefficient : float
-        Friction coefficient mu [-], not negative; infinite if nothing ever slides.
+        Friction coefficient mu [-], not negative; infinite if slip is excluded.
 
     Raises
     ------
@@ -55,7 +55,7 @@ Overcome: TypeAlias = Annotated[
 
 @value
 class StaticKinetic:
-    """Friction that drops once a point has begun to slide, and recovers when it sticks again.
+    """Friction that drops at the onset of slip, and recovers when a point sticks again.
 
     Parameters
     ----------

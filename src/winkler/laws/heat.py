@@ -14,17 +14,17 @@ __all__ = ["EqualMaximum", "EqualMean", "FixedShare", "HeatPartition"]
 
 @value
 class EqualMaximum:
-    """Both bodies reach the same greatest temperature: Blok's rule."""
+    """Heat partition with equal maximum temperatures of both bodies (Blok's rule)."""
 
 
 @value
 class EqualMean:
-    """Both bodies have the same mean temperature over the contact: Jaeger's rule."""
+    """Heat partition with equal mean temperatures of both bodies over the contact (Jaeger's rule)."""
 
 
 @value
 class FixedShare:
-    """The first body takes a given part of the heat.
+    """A heat partition with a given share of the first body.
 
     Parameters
     ----------

@@ -48,10 +48,9 @@ def _refuse_rising(who: str, static: float, kinetic: float) -> None:
 
 @value
 class LinearSlipWeakening:
-    """Friction that falls in proportion to slip, and stays as it is after some distance.
+    """Friction that decreases linearly with the slip distance to a constant value.
 
-    Slip counts along its path, to and fro alike, and is not forgotten, neither where a point sticks again nor where the
-    surfaces come apart.
+    The slip distance accumulates in both directions. It is kept when a point sticks again or the surfaces separate.
 
     Parameters
     ----------
@@ -108,10 +107,9 @@ class LinearSlipWeakening:
 
 @value
 class ExponentialSlipWeakening:
-    """Friction that falls with slip, ever more slowly.
+    """Friction that decreases exponentially with the slip distance.
 
-    Slip counts along its path, to and fro alike, and is not forgotten, neither where a point sticks again nor where the
-    surfaces come apart.
+    The slip distance accumulates in both directions. It is kept when a point sticks again or the surfaces separate.
 
     Parameters
     ----------
@@ -156,7 +154,7 @@ class ExponentialSlipWeakening:
         return self._drop / self.distance * np.exp(-slip / self.distance)
 
     def lost(self, slip: Array) -> Array:
-        """Return the integral of mu over the slip up to here [m]: what is lost per area, over the pressure."""
+        """Return the integral of mu over the slip [m]: the dissipated energy per area, over the pressure."""
         return self.kinetic_coefficient * slip - self._drop * self.distance * np.expm1(-slip / self.distance)
 
     @property
@@ -166,7 +164,7 @@ class ExponentialSlipWeakening:
 
 @value
 class FallingFriction:
-    """Friction that falls with the velocity of slip.
+    """Friction that decreases with the slip velocity.
 
     Parameters
     ----------

@@ -25,7 +25,7 @@ __all__ = ["Archard", "OwnWear", "PairWear", "Unworn", "WearLaw", "worn_by"]
 
 @value
 class Archard:
-    """Wear in proportion to pressure and slip.
+    """Wear proportional to pressure and slip distance.
 
     Parameters
     ----------
@@ -65,7 +65,7 @@ class OwnWear(Protocol):
 
 @value
 class PairWear:
-    """Both surfaces wear, each by a law of its own.
+    """Wear of both surfaces, each with a separate law.
 
     Parameters
     ----------

@@ -98,7 +98,7 @@ class LineForce(PerLoad[Q]):
 
 @value
 class LineShearForce(PerLoad[Q]):
-    """A prescribed force per length of a line contact, along the surface and across the line.
+    """A prescribed tangential force per length of a line contact, perpendicular to the line.
 
     Parameters
     ----------
@@ -152,12 +152,12 @@ class Tilt:
 
 @value
 class Moment:
-    """A prescribed moment of the pressure on a roller about its middle; the roller tilts until it is reached.
+    """A prescribed moment of the pressure about the middle of a roller; the roller tilts until this moment is reached.
 
     Parameters
     ----------
     moment : float
-        [N m], positive where the end at positive x bears more; zero of a roller that aligns itself.
+        [N m], positive if the end at positive x carries more; zero for a self-aligning roller.
     """
 
     moment: Finite
@@ -165,7 +165,7 @@ class Moment:
 
 @value
 class LineOfAction:
-    """Where the force per length on a section acts; the body is free to tilt until the pressures balance it.
+    """Position of the force per length on a section; the body tilts until its moment is balanced.
 
     Parameters
     ----------
@@ -180,7 +180,7 @@ class LineOfAction:
 
 @value
 class NominalPressure(PerLoad[Q]):
-    """A prescribed pressure over the whole of a wavy surface, in contact or not.
+    """A prescribed mean pressure over the whole wavy surface, both inside and outside the contact.
 
     Parameters
     ----------
@@ -193,7 +193,7 @@ class NominalPressure(PerLoad[Q]):
 
 @value
 class Shift(PerLoad[Q]):
-    """A prescribed sideways displacement of the bodies against each other.
+    """A prescribed relative tangential displacement of the bodies.
 
     Parameters
     ----------
@@ -206,7 +206,7 @@ class Shift(PerLoad[Q]):
 
 @value
 class ShearForce(PerLoad[Q]):
-    """A prescribed sideways force.
+    """A prescribed tangential force.
 
     Parameters
     ----------
@@ -219,7 +219,7 @@ class ShearForce(PerLoad[Q]):
 
 @value
 class Angle(PerLoad[Q]):
-    """A prescribed twist of the bodies against each other, about the axis of the contact.
+    """A prescribed relative rotation of the bodies about the contact axis.
 
     Parameters
     ----------

@@ -63,8 +63,7 @@ class Path:
     normal : Depth or Force
         ``(steps,)``, or one number that holds all the time.
     lateral : Shift, ShearForce, Angle or Torque, optional
-        ``(steps,)``, for a shift or a shear force in the plane ``(steps, 2)``, or one number that holds all the time;
-        no shift unless given.
+        Lateral load ``(steps,)``, in planar motion ``(steps, 2)``, or one constant number; none by default.
 
     Raises
     ------
@@ -139,7 +138,7 @@ class Path:
         frequency : float, optional
             Cycles per second [Hz].
         count : int, optional
-            Points of one cycle, evenly spaced in time, beside the turning points, which are always among them.
+            Points per cycle, evenly spaced in time, in addition to the reversals.
 
         Returns
         -------

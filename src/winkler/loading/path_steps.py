@@ -59,15 +59,15 @@ NextLateral: TypeAlias = Annotated[
 
 @value
 class Start:
-    """Where the path begins.
+    """The first loads of a path.
 
     Parameters
     ----------
     normal : Depth or Force
         One number; it states what drives the normal motion in all steps.
     lateral : Shift, ShearForce, Angle, Torque or Unchanged, optional
-        One number, in the plane two; it states what drives the lateral motion in all steps.  Unless given, the path
-        begins at zero of what the first step with a lateral load is driven by.
+        One number, in the plane two; it states what drives the lateral motion in all steps.  By default the lateral
+        load at the start of the path is zero, of the kind of the first lateral step.
 
     Raises
     ------
@@ -95,7 +95,7 @@ class Ramp:
     lateral : Shift, ShearForce, Angle, Torque or Unchanged, optional
         Where to, one number, in the plane two.
     duration : float, optional
-        How long it takes [s], zero or more.
+        Duration [s], zero or more.
     count : int, optional
         Into how many equal parts the path is divided; at least one.
 
@@ -126,14 +126,14 @@ class Ramp:
 
 @value
 class Hold:
-    """Wait.
+    """A period in which all loads are constant.
 
     Parameters
     ----------
     duration : float, optional
         How long [s], zero or more.
     count : int, optional
-        At how many points of time, where bodies that relax are to be watched.
+        At how many points of time, where viscoelastic bodies are to be watched.
 
     Raises
     ------
@@ -154,17 +154,17 @@ class Hold:
 
 @value
 class Oscillate:
-    """Oscillate about where one is.
+    """Oscillation about the present loads.
 
-    Along the surface A sin(2 pi f t + phase), across it A sin(2 pi ratio f t), both about the present loads.  With a
-    phase the path first goes at once to where the oscillation begins.
+    Along the surface A sin(2 pi f t + phase), across it A sin(2 pi ratio f t). With a phase the path first steps to the
+    start of the oscillation.
 
     Parameters
     ----------
     normal : Depth, Force or Unchanged, optional
         Amplitude of the normal load.
     lateral : Shift, ShearForce, Angle, Torque or Unchanged, optional
-        Amplitude along the surface; in the plane two numbers, along whose direction the oscillation goes.
+        Amplitude along the surface; in planar motion two numbers, which give the direction of the oscillation.
     cycles : float, optional
         How many, along the surface.
     frequency : float, optional
@@ -174,7 +174,7 @@ class Oscillate:
     phase : float, optional
         By which the lateral load is ahead [rad].
     count : int, optional
-        Points of one cycle of the faster of both, beside the turning points, which are always among them.
+        Points per cycle of the faster of both oscillations, in addition to the reversals.
 
     Raises
     ------
@@ -212,7 +212,7 @@ class Oscillate:
 
 @value
 class Circle:
-    """Run round a circle about where one is: at once out along x, then round from x towards y.
+    """Circular motion about the present position: a step along x, then rotation from x towards y.
 
     Parameters
     ----------

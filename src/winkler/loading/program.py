@@ -21,7 +21,7 @@ __all__ = ["Program"]
 
 @value
 class Program(Path):
-    """A path that is stated in steps.
+    """A path of loads defined by steps.
 
     Parameters
     ----------

@@ -13,9 +13,9 @@ __all__ = ["AtTemperature"]
 
 @value
 class AtTemperature(ViscoelasticSolid):
-    r"""A thermorheologically simple solid: temperature multiplies all its times by one factor, and leaves its moduli.
+    r"""A thermorheologically simple solid: temperature multiplies all relaxation times by one factor.
 
-    :math:`G(t;T)=G(t/a_T)`, with :math:`a_T=1` at the temperature at which the solid is known.
+    Moduli do not change: :math:`G(t;T)=G(t/a_T)`, with :math:`a_T=1` at the reference temperature.
 
     Parameters
     ----------

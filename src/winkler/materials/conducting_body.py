@@ -27,7 +27,7 @@ Conductor = ElectricalConductor | ThermalConductor
 
 @value
 class Plated:
-    """A thick body under a plating of another conductor, bonded without resistance between them.
+    """A thick body with a plating of another conductor, bonded without interface resistance.
 
     Parameters
     ----------
@@ -60,7 +60,7 @@ class Plated:
 
 @value
 class Rod:
-    """A round rod that ends in the contact, at the middle of its end face; its side lets nothing through.
+    """A round rod with the contact in the middle of its end face; its side is insulated.
 
     Parameters
     ----------
@@ -69,7 +69,7 @@ class Rod:
     radius : float
         b [m], positive; the contact must be narrower.
     length : float
-        Up to where voltage or temperature are taken [m], positive; a few radii at least.
+        Distance from the contact up to which voltage or temperature apply [m], positive; at least a few radii.
 
     Raises
     ------

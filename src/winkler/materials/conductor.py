@@ -50,9 +50,9 @@ class ThermalConductor:
     conductivity : float
         Thermal conductivity [W/(m K)], positive.
     diffusivity : float, optional
-        Thermal diffusivity [m^2/s], conductivity over heat capacity per volume, positive; infinite (the default), a
-        body without heat capacity, where it is not known.  Steady conduction at rest does not depend on it; the heat of
-        friction needs it of bodies that move, and of all bodies while they warm up.
+        Thermal diffusivity [m^2/s], conductivity over heat capacity per volume, positive. If it is not known it is
+        infinite (default): no heat capacity.  Steady conduction at rest does not depend on it. Frictional heating needs
+        it for moving bodies, and for all bodies in transient heating.
 
     Raises
     ------

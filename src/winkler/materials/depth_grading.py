@@ -163,7 +163,7 @@ class SigmoidalGrading(_SmoothGrading):
 
 @value
 class TabulatedGrading:
-    """E and nu measured at depths, straight lines in between, constant below the last.
+    """E and nu at given depths, linear in between and constant below the last.
 
     Parameters
     ----------

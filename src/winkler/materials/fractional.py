@@ -121,7 +121,7 @@ def _greatest(error: Callable[[Array], Array], t: Array) -> float:
 
 @value
 class PowerLawSolid(_FractionalSolid):
-    r"""The springpot: it relaxes by a power of time, within a span of it.
+    r"""The springpot: its modulus is a power of time within a given range of times.
 
     :math:`G(t)=G_0\,(t/t_0)^{-\alpha}`.
 
@@ -136,7 +136,7 @@ class PowerLawSolid(_FractionalSolid):
     shortest, longest : float
         Span of times within which it holds [s].
     tolerance : float, optional
-        Greatest relative error of the series there.
+        Maximum relative error of the series there.
     poisson : float, optional
         nu [-].
 
@@ -177,7 +177,7 @@ class PowerLawSolid(_FractionalSolid):
 
 @value
 class FractionalZener(_FractionalSolid):
-    r"""The fractional Zener solid: a spring beside a spring and a springpot one behind the other.
+    r"""The fractional Zener solid: a spring in parallel with a spring and a springpot in series.
 
     :math:`G(t)=G_\infty+G_1\,E_\alpha\!\bigl(-(t/\tau)^\alpha\bigr)`.
 
@@ -194,7 +194,7 @@ class FractionalZener(_FractionalSolid):
     shortest, longest : float
         Span of times within which it holds [s].
     tolerance : float, optional
-        Greatest relative error of the series there.
+        Maximum relative error of the series there.
     poisson : float, optional
         nu [-].
 

@@ -17,7 +17,7 @@ __all__ = ["Hardening", "LinearHardening", "PowerHardening"]
 
 @value
 class LinearHardening(Elastic):
-    r"""An elastic solid whose flow stress rises in proportion to the plastic strain.
+    r"""An elastic solid with a flow stress that increases linearly with the plastic strain.
 
     .. math:: \sigma = Y + H\varepsilon_p
 
@@ -46,7 +46,7 @@ class LinearHardening(Elastic):
 
 @value
 class PowerHardening(Elastic):
-    r"""An elastic solid whose flow stress rises like a power of the strain, as of annealed metals.
+    r"""An elastic solid with a flow stress that rises as a power of the strain, as of annealed metals.
 
     .. math:: \sigma = Y\left(1 + \frac{E\varepsilon_p}{Y}\right)^n
 

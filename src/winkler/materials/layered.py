@@ -56,7 +56,7 @@ class StackLayer:
     thickness : float
         [m], positive.
     bonded : bool, optional
-        Whether it is bonded to what lies below it (the default).  If not, it slides there without friction, and does
+        Whether it is bonded to the material below (the default).  If not, it slides there without friction, and does
         not lift off: the interface passes on the normal stress and the normal displacement alone.
 
     Raises

@@ -93,7 +93,7 @@ class NamedMaterial:
     sort : str
         Which sort of it.
     figures : tuple of TabulatedProperty
-        What is known: ``young``, ``poisson``, ``strength``, ``hardness`` [Pa, -], ``density`` [kg/m^3],
+        The known properties: ``young``, ``poisson``, ``strength``, ``hardness`` [Pa, -], ``density`` [kg/m^3],
         ``heat_capacity`` [J/(kg K)], ``conductivity`` [W/(m K)], ``resistivity`` [ohm m], ``temperature_coefficient``
         [1/K].
 
@@ -136,12 +136,12 @@ class NamedMaterial:
 
     @property
     def elastic(self) -> Elastic:
-        """The elastic solid; with its yield strength where that is known."""
+        """The elastic solid, with its yield strength if known."""
         return Elastic(self.number("young"), self.number("poisson"), self._known("strength", math.inf))
 
     @property
     def electrical_conductor(self) -> ElectricalConductor:
-        """The conductor of current; of constant resistivity where no temperature coefficient is known."""
+        """The electrical conductor; with constant resistivity if no temperature coefficient is known."""
         return ElectricalConductor(self.number("resistivity"), self._known("temperature_coefficient", 0.0))
 
     @property
@@ -188,15 +188,16 @@ def material(name: str) -> NamedMaterial:
     Parameters
     ----------
     name : str
-        Such as ``"fused silica"``; usual other names are known, and capitals count only where they tell two materials
-        apart (``"tin"`` is the metal, ``"TiN"`` titanium nitride). ``"Shore A 60"`` is a rubber of that hardness (20 to
-        80 of scale A, 30 to 85 of scale D): moduli by two published relations, whose difference is the spread.
+        For example ``"fused silica"``; common synonyms are accepted. Capitals matter only if they distinguish two
+        materials (``"tin"`` is the metal, ``"TiN"`` titanium nitride). ``"Shore A 60"`` is a rubber of that hardness
+        (20 to 80 of scale A, 30 to 85 of scale D). The modulus follows from two published relations; their difference
+        is the spread.
 
     Raises
     ------
     InvalidInput
-        If the table does not contain it, and the message names those that it contains; if the name means two
-        materials or is a word of several names, such as ``steel``; or if a hardness is out of range.
+        If the table does not contain the name; the message lists the names. If the name is ambiguous, such as
+        ``steel``, or a hardness is out of range.
 
     Examples
     --------

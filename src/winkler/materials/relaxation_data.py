@@ -51,7 +51,7 @@ SORT_ADVICE = Advice("sort the rows, and average what is given twice")
 
 @value
 class RelaxationData(_MeasuredSolid):
-    """A solid whose relaxation was measured.
+    """A viscoelastic solid with a measured relaxation modulus.
 
     Parameters
     ----------
@@ -91,7 +91,7 @@ class RelaxationData(_MeasuredSolid):
 
 @value
 class CreepData(_MeasuredSolid):
-    """A solid whose creep was measured.
+    """A viscoelastic solid with measured creep compliance.
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ class CreepData(_MeasuredSolid):
     Raises
     ------
     InvalidInput
-        If the rows differ in length, are too short, or hold what is not positive.
+        If the rows differ in length, are too short, or have values that are not positive.
 
     Examples
     --------
@@ -131,7 +131,7 @@ class CreepData(_MeasuredSolid):
 
 @value
 class DynamicData(_MeasuredSolid):
-    """A solid whose storage and loss were measured.
+    """A viscoelastic solid with measured storage and loss moduli.
 
     Parameters
     ----------
@@ -147,7 +147,7 @@ class DynamicData(_MeasuredSolid):
     Raises
     ------
     InvalidInput
-        If the rows differ in length, are too short, or hold what is not positive.
+        If the rows differ in length, are too short, or have values that are not positive.
 
     Examples
     --------

@@ -13,7 +13,7 @@ __all__ = ["ViscoelasticLayer"]
 
 @value
 class ViscoelasticLayer:
-    """One bonded, isotropic layer of a coating that relaxes by a law of its own.
+    """One bonded, isotropic layer with a separate relaxation function.
 
     Parameters
     ----------

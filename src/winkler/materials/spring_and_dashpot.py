@@ -14,9 +14,9 @@ __all__ = ["KelvinVoigt", "Maxwell", "StandardSolid"]
 
 @value
 class KelvinVoigt(ViscoelasticSolid):
-    """A spring and a dashpot side by side: the stress is G gamma + eta dgamma/dt.
+    """A spring and a dashpot in parallel: the stress is G gamma + eta dgamma/dt.
 
-    It has no immediate response: a sudden step of strain takes an infinite force.
+    It has no instantaneous elasticity: a sudden step of strain needs an infinite force.
 
     Parameters
     ----------
@@ -50,7 +50,7 @@ class KelvinVoigt(ViscoelasticSolid):
 
 @value
 class Maxwell(ViscoelasticSolid):
-    """A spring and a dashpot one behind the other, G(t) = G exp(-t / tau): it flows for ever.
+    """A spring and a dashpot in series, G(t) = G exp(-t / tau): a liquid at long times.
 
     Parameters
     ----------

@@ -33,7 +33,7 @@ class RowsOfOneLength:
 
 @value
 class DynamicSweeps(RowsOfOneLength):
-    """Storage and loss over frequency and temperature: isothermal or isochronal sweeps, rows in any order.
+    """Storage and loss moduli over frequency and temperature: isothermal or isochronal sweeps, rows in any order.
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ class DynamicSweeps(RowsOfOneLength):
 
 @value
 class RelaxationSweeps(RowsOfOneLength):
-    """Relaxation over time at several temperatures, rows in any order.
+    """Relaxation moduli over time at several temperatures, rows in any order.
 
     Parameters
     ----------

@@ -16,7 +16,7 @@ GAS_CONSTANT = 8.31446261815324
 
 @value
 class WilliamsLandelFerry:
-    r"""How temperature changes all times of a polymer above its glass transition.
+    r"""Time-temperature shift of a polymer above its glass transition.
 
     :math:`\log_{10}a_T=-c_1(T-T_0)/(c_2+T-T_0)`.
 
@@ -70,14 +70,14 @@ class WilliamsLandelFerry:
 
 @value
 class Arrhenius:
-    r"""How temperature changes all times of a solid whose relaxation is thermally activated.
+    r"""Time-temperature shift of a solid with thermally activated relaxation.
 
     :math:`\ln a_T=\frac{Q}{R}\bigl(\frac1T-\frac1{T_0}\bigr)`.
 
     Parameters
     ----------
     reference_temperature : float
-        T_0 [K] at which the solid is known, positive.
+        T_0 [K] at which the properties are given, positive.
     activation_energy : float
         Q [J/mol], positive.
 

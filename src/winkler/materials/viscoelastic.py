@@ -171,7 +171,7 @@ class FittedSolid(ViscoelasticSolid):
 
 @value
 class Prony(ViscoelasticSolid):
-    r"""The generalised Maxwell solid: a spring, a dashpot, and Maxwell elements of many times side by side.
+    r"""The generalised Maxwell solid: a spring, a dashpot and Maxwell elements in parallel.
 
     :math:`G(t)=G_\infty+\eta\delta(t)+\sum_i G_i e^{-t/\tau_i}`.
 
@@ -191,7 +191,7 @@ class Prony(ViscoelasticSolid):
     Raises
     ------
     InvalidInput
-        If a number is outside its range, the rows differ in length, or nothing is left that resists.
+        If a number is outside its range, the rows differ in length, or no elastic element remains.
 
     Examples
     --------
@@ -223,7 +223,7 @@ class Prony(ViscoelasticSolid):
 
 @value
 class GeneralisedKelvin(ViscoelasticSolid):
-    r"""The generalised Kelvin solid: a spring, a dashpot, and Kelvin-Voigt solids one behind the other.
+    r"""The generalised Kelvin solid: a spring, a dashpot and Kelvin-Voigt elements in series.
 
     :math:`J(t)=J_0+\varphi t+\sum_k J_k(1-e^{-t/\lambda_k})`.
 

@@ -219,8 +219,8 @@ class HalfSpace(HomogeneousMedium):
         Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "Homogeneous, isotropic, linear elastic half-spaces: for one round contact the springs give the normal "
-            "force, depth and pressure of the three-dimensional solution itself.",
+            "Homogeneous, isotropic, linear elastic half-spaces. For one round contact the springs give the "
+            "exact normal force, depth and pressure of the three-dimensional solution.",
             GALIN,
         ),
     )

@@ -32,8 +32,8 @@ def layers_of(medium: MappedMedium) -> SurfaceBelow | None:
     if offers(medium, PowerOfDepth):
         if medium.exponent == 1.0:
             raise OutsideValidity(
-                "A height map on Gibson's solid (exponent 1) meets springs of the surface alone, which winkler's "
-                "boundary elements do not hold; give an exponent below 1."
+                "A height map on Gibson's solid (exponent 1) is not implemented, because its surface consists of "
+                "independent springs; give an exponent below 1."
             )
         return PowerLawSurface(medium.exponent, medium.depth_scale)
     if not offers(medium, PressedWaves):

@@ -139,8 +139,8 @@ def springs_of_curve(curve: ConvexCurve, medium: Medium, tolerance: float) -> tu
         still = int(np.flatnonzero(growth <= LEAST_RADIUS_RISE * radii[-1])[0])
         low, high = curve.depth_at(knots[still : still + 2])
         raise OutsideValidity(
-            f"dF/dd hardly rises between the depths {low:.6g} m and {high:.6g} m, so the contact would stand still at "
-            "a vertical wall; give a curve whose slope rises, or use CappedCylinder."
+            f"dF/dd hardly increases between the depths {low:.6g} m and {high:.6g} m: the contact would stop "
+            "growing at a vertical wall. Give a curve whose slope increases, or use CappedCylinder."
         )
     end = float(radii[-1])
     flat = float(radii[0]) if radii[0] > FLAT_END_RATIO * end else 0.0

@@ -22,7 +22,7 @@ __all__ = ["TransverselyIsotropicHalfSpace"]
 
 @value
 class TransverselyIsotropicHalfSpace(HomogeneousMedium):
-    """Two half-spaces of which at least one is transversely isotropic about the surface normal.
+    """Two half-spaces, at least one of them transversely isotropic about the surface normal.
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ class TransverselyIsotropicHalfSpace(HomogeneousMedium):
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
         """Refused: stresses inside an anisotropic body are not known to winkler."""
         raise OutsideValidity(
-            "The stresses inside a TransverselyIsotropicHalfSpace are not known to winkler; request the surface "
+            "The stresses inside a TransverselyIsotropicHalfSpace are not implemented; request the surface "
             "(without z), or use HalfSpace."
         )
 
@@ -63,8 +63,8 @@ class TransverselyIsotropicHalfSpace(HomogeneousMedium):
         Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "Frictionless contact of homogeneous half-spaces, transversely isotropic about the surface normal: "
-            "pressure and depth follow from the isotropic solution with the effective modulus.",
+            "Frictionless contact of homogeneous half-spaces, transversely isotropic about the surface normal. "
+            "Pressure and depth follow from the isotropic solution with the effective modulus.",
             "H. A. Elliott, Proc. Camb. Phil. Soc. 45 (1949) 621, doi:10.1017/S0305004100025305",
         ),
     )

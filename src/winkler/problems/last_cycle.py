@@ -133,8 +133,9 @@ def cycle_of(who: str, loop: PathLoop) -> LastCycle:
     ends = cycle_ends([column[: lost.size] for column in loop.prescribed]) if lost.size else None
     if ends is None:
         raise OutsideValidity(
-            f"{who}: the path of {lost.size} points closes no cycle, since it does not come back to the loads of an "
-            "earlier point in the same direction; let it end where a cycle began, as Path.oscillation(...) does."
+            f"{who}: the path of {lost.size} points has no closed cycle, because it does not return to the loads "
+            "of an earlier point in the same direction; let it end where a cycle began, as Path.oscillation(...) "
+            "does."
         )
     first, last = ends
     rows = [np.reshape(column[first : last + 1], (last + 1 - first, -1)) for column in (loop.motion, loop.load)]
@@ -187,9 +188,9 @@ def cycle_notes(cycle: LastCycle) -> tuple[Note, ...]:
     if cycle.gap <= CLOSED:
         return ()
     statement = (
-        f"The last cycle of the path, from point {cycle.first} to point {cycle.last}, is not closed: motion or load "
-        f"ends {100.0 * cycle.gap:.2g} per cent of its range from where it began. Its loss holds for this cycle only; "
-        "append cycles until it closes."
+        f"The last cycle of the path, from point {cycle.first} to point {cycle.last}, is not closed. Motion or "
+        f"load ends {100.0 * cycle.gap:.2g} per cent of its range from its start. Its dissipated energy applies "
+        "to this cycle only. Append cycles until the last one closes."
     )
     return (Note(Assumption.ENERGY, Standing.APPROXIMATE, statement, "ends of the last cycle compared"),)
 
@@ -289,12 +290,12 @@ class Looped(Cycled):
         cycle, who = self.last_cycle, type(self.problem).__name__
         if cycle.motion == 0.0 or cycle.load == 0.0:
             raise OutsideValidity(
-                f"{who}: between the points {cycle.first} and {cycle.last} nothing is moved against a load, so that "
-                "the cycle has no stiffness and no damping; let what moves the bodies oscillate."
+                f"{who}: between the points {cycle.first} and {cycle.last} there is no motion against a load, so "
+                "the cycle has no stiffness and no damping; let the motion oscillate."
             )
         if np.isnan(cycle.motion * cycle.load):
             raise OutsideValidity(
-                f"{who}: the cycle leaves a line, or turns the bodies beside a push, and has no single amplitude; read "
-                "its loss_per_cycle."
+                f"{who}: the cycle changes its direction, or rotates the bodies in addition to a displacement, "
+                "and has no single amplitude; read its loss_per_cycle."
             )
         return cycle

@@ -11,7 +11,7 @@ __all__ = ["Method", "refuse_method"]
 
 
 class Method(StrEnum):
-    """Method by which stick and slip are followed; the most accurate one unless it is named."""
+    """The method of computing stick and slip; by default the most accurate one available."""
 
     AUTO = "auto"
     """Rings where the medium knows its own shear kernel, springs by gap where they are exact, else springs."""

@@ -161,7 +161,9 @@ def halved(row: Any, state: Any, start: Any, goal: Any) -> Reached[Any]:
             error, settled = apart_of(row, whole, two), halvings
             if error > 1.0:
                 if halvings == MOST_HALVINGS or tried > MOST_STEPS:
-                    raise NotConverged("the step does not settle, however often it is halved; give points in between.")
+                    raise NotConverged(
+                        "the step does not converge, however often it is halved; give points in between."
+                    )
                 ahead.append((goal, halvings + 1, False, done))
                 ahead.append((middle, halvings + 1, True, half))
                 continue

@@ -47,7 +47,7 @@ SEARCHED_BENDS = np.geomspace(1e-9, 1e3, 13)
 
 @value
 class AreaFunction(Shape):
-    """The body of revolution with the cross-sections of a calibrated indenter.
+    """The body of revolution with the cross-sections of a calibrated area function.
 
     Parameters
     ----------
@@ -118,7 +118,9 @@ class AreaFunction(Shape):
 
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:
-        """Radii at which one term takes over from the next: smooth, but bent, sharply where the tip is blunt."""
+        """Radii at which one term of the area function becomes larger than the next. The profile is smooth there, with
+        strong curvature if the tip is blunt.
+        """
         if len(self._terms) < 2:
             return ()
         heights = self._unit * (SEARCHED_BENDS if self._terms[-1][1] < 1.0 else np.ones(1))
@@ -130,8 +132,8 @@ class AreaFunction(Shape):
         Note(
             Assumption.SHAPE,
             Standing.APPROXIMATE,
-            "The indenter is replaced by the body of revolution with the same cross-sections; for a pyramid the "
-            "force at a given depth is then 3 to 7 % low.",
+            "The indenter is replaced by the body of revolution with the same cross-sections. For a pyramid the "
+            "force at a given depth is then 3 to 7 % too low.",
             "boundary-element solution of the sharp pyramid, theory sheet 1.3",
         ),
     )

@@ -77,10 +77,11 @@ class _TipOfArea(Shape):
         """What the body of revolution has of the tip."""
         depths, _, power = self._samples
         text = (
-            "The tip is replaced by the body of revolution with its calibrated cross-sections, radii times the shape "
-            f"factor {self.shape_factor:g} (elastic pyramids of four and three faces have 1.027 and 1.078). It is "
-            f"calibrated for contact depths from {depths[0]:.3g} to {depths[-1]:.3g} m; below, the area is continued "
-            f"with the power {power:.3g} of the depth, beyond, contacts are refused."
+            "The tip is replaced by the body of revolution with its calibrated cross-sections. Its radii are "
+            f"multiplied by the shape factor {self.shape_factor:g} (elastic pyramids of four and three faces have "
+            f"1.027 and 1.078). The calibration covers contact depths from {depths[0]:.3g} to {depths[-1]:.3g} m. "
+            f"Below this range the area is extrapolated with the power {power:.3g} of the depth; contacts beyond "
+            "it are not supported."
         )
         return (Note(Assumption.SHAPE, Standing.APPROXIMATE, text, OLIVER), *self._curve.notes)
 

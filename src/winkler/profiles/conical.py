@@ -47,7 +47,7 @@ class Cone(PowerPieces):
 
 @value
 class TruncatedCone(PowerPieces):
-    """A cone with its tip cut off: flat up to `flat_radius`, then a cone.
+    """A cone with its tip cut off: flat up to `flat_radius`, then conical.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ class TruncatedCone(PowerPieces):
 
 @value
 class RoundedCone(PowerPieces):
-    """A cone with a parabolic tip that joins it with a common tangent.
+    """A cone with a parabolic tip and a continuous slope.
 
     Parameters
     ----------
@@ -108,7 +108,7 @@ class RoundedCone(PowerPieces):
 
 @value
 class SpheroConical(RisingShape):
-    """A cone with a spherical tip that joins it with a common tangent: the real AFM or nanoindenter tip.
+    """A cone with a spherical tip and a continuous slope: the usual AFM or nanoindenter tip.
 
     Parameters
     ----------
@@ -213,8 +213,8 @@ class _EqualAreaCone(PowerPieces):
                 Assumption.SHAPE,
                 Standing.APPROXIMATE,
                 "The pyramid is replaced by the cone of equal cross-section (half-angle "
-                f"{math.degrees(self.half_angle):.2f} deg). On an elastic half-space its force at a given depth is "
-                f"{self._error} below the pyramid's, which `Pyramid` has.",
+                f"{math.degrees(self.half_angle):.2f} deg). On an elastic half-space the force of the cone at a "
+                f"given depth is {self._error} below that of the pyramid. `Pyramid` has the force of the pyramid.",
                 "boundary-element solution of the sharp pyramid, theory sheet 1.3",
             ),
         )

@@ -96,7 +96,7 @@ class CurvedPair:
 
     @property
     def equivalent_radius(self) -> float:
-        """R_eq [m] of the ball whose force grows with depth as that of the bodies."""
+        """R_eq [m] of the ball with the same force-depth curve as the bodies."""
         return self.together.equivalent_radius
 
     def semi_axes(self, modulus: float, force: float) -> tuple[float, float]:

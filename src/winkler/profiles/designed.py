@@ -49,7 +49,7 @@ class Designed(Shape):
     slopes : ndarray, (n, m)
         Chebyshev coefficients of f' [-] on each panel, in its own variable from -1 to 1.
     tolerance : float
-        How far, relative to the greatest value, the body misses what was prescribed.
+        Maximum deviation from the prescribed curve, over its maximum.
 
     Raises
     ------
@@ -100,11 +100,8 @@ class Designed(Shape):
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """How well the body fits what was prescribed."""
-        text = (
-            f"The body was computed to order and misses what was prescribed by {self.tolerance:.2g} of its greatest "
-            "value."
-        )
+        """The deviation of the body from the prescribed curve."""
+        text = f"The designed body differs from the prescribed curve by {self.tolerance:.2g} of its maximum."
         standing = Standing.ASYMPTOTIC if self.tolerance < 1e-4 else Standing.APPROXIMATE
         return (Note(Assumption.SHAPE, standing, text, "misfit of the convex curve through the prescribed points"),)
 

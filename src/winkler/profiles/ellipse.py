@@ -30,7 +30,7 @@ ROUNDING = 1e-14
 
 @value
 class ContactEllipse:
-    """A contact of known size.
+    """An elliptic contact of known size.
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ class ContactEllipse:
 
 @value
 class CurvedBodies:
-    """Two bodies of two curvatures each, by the relative radii of curvature along x and y.
+    """Two bodies with two curvatures each each, by the relative radii of curvature along x and y.
 
     Parameters
     ----------
@@ -92,8 +92,8 @@ class CurvedBodies:
         Parameters
         ----------
         first, second : tuple of float
-            R_x and R_y of the first body in its own axes, and of the second one in its [m]; negative where the surface
-            is hollow, as a raceway, infinite where it is straight.
+            R_x and R_y of the first body in its own axes, and of the second one in its axes [m]. Radii are negative for
+            concave surfaces such as raceways, and infinite for straight ones.
         angle : float
             By which the axes of the second body are turned against those of the first [rad].
 
@@ -183,7 +183,7 @@ class CurvedBodies:
 
     @property
     def equivalent_radius(self) -> float:
-        """R_eq [m] of the ball whose force grows with depth as that of the bodies."""
+        """R_eq [m] of the ball with the same force-depth curve as the bodies."""
         from scipy.special import elliprf
 
         a, b = self.semi_axes(1.0, 1.0)

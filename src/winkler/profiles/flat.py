@@ -55,7 +55,7 @@ class FlatPunch(_Pinned, PowerPieces):
 
 @value
 class CappedCylinder(_Pinned):
-    """A circular cylinder whose end has the shape of another profile; the contact is pinned once it fills the end.
+    """A circular cylinder with an end of another profile; the contact is pinned at the rim once it fills the end.
 
     Parameters
     ----------
@@ -131,7 +131,7 @@ class CappedCylinder(_Pinned):
 
 @value
 class Cylinder(Shape):
-    """A cylinder lying on its side: always refused, with the reason.
+    """A cylinder lying on its side; it raises an error that states the reason.
 
     Parameters
     ----------

@@ -48,7 +48,7 @@ LARGEST_TRIED_RADIUS = 1.0
 
 @value
 class Formula(Shape):
-    """A body of revolution whose height is a formula of r.
+    """A body of revolution defined by a formula of r.
 
     Parameters
     ----------
@@ -66,8 +66,8 @@ class Formula(Shape):
     Raises
     ------
     InvalidInput
-        If the text is not such a formula; if the height is not zero at r = 0, negative, or not a finite number
-        somewhere within the reach.
+        If the text is not a valid formula. If the height is not zero at r = 0, is negative, or is not finite somewhere
+        within the reach.
 
     Examples
     --------

@@ -78,7 +78,7 @@ class Measured(Shape):
 
     @property
     def curve(self) -> Spline:
-        """The spline that stands for the points."""
+        """The spline that represents the points."""
         return _curve(self)
 
     @property
@@ -99,7 +99,7 @@ class Measured(Shape):
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """Which curve stands for the points, and how far from them it runs."""
+        """The curve that represents the points, and its distance from them."""
         curve = self.curve
         apex = ", with a round apex" if curve.rounded else ""
         if curve.through:
@@ -107,8 +107,8 @@ class Measured(Shape):
             return (Note(Assumption.SHAPE, Standing.ASYMPTOTIC, text, "cross-validation found no scatter to smooth"),)
         text = (
             f"The {self.radii.size} points were smoothed by a cubic spline of {curve.pieces} pieces{apex}; they "
-            f"scatter about it by {curve.residual:.3g} m (root mean square). Pressure and stress follow the curvature "
-            "of that curve and are less certain than depth and force."
+            f"scatter about it by {curve.residual:.3g} m (root mean square). Pressure and stress follow the "
+            "curvature of the spline and are less accurate than depth and force."
         )
         return (Note(Assumption.SHAPE, Standing.APPROXIMATE, text, "number of pieces by generalised cross-validation"),)
 

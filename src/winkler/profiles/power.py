@@ -19,7 +19,7 @@ __all__ = ["Paraboloid", "PowerLaw"]
 
 @value
 class Paraboloid(RisingShape):
-    """A paraboloid of revolution, f = r^2 / (2 R): what Hertz put in place of the sphere.
+    """A paraboloid of revolution, f = r^2 / (2 R): Hertz's approximation of the sphere.
 
     Parameters
     ----------
@@ -35,7 +35,7 @@ class Paraboloid(RisingShape):
 
     @property
     def size(self) -> float:
-        """R [m], the body whose apex the paraboloid stands for."""
+        """R [m] at the apex of the body that the paraboloid approximates."""
         return self.curvature_radius
 
     def height(self, r: Array) -> Array:

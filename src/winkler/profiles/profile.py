@@ -91,12 +91,12 @@ class Profile(Protocol):
 class Shape:
     """The part of `Profile` that follows from `height`, `slope` and `curvature`; subclass it for a new shape.
 
-    ``a + b`` is the profile whose height is the sum of both: the gap between two curved bodies.
+    ``a + b`` is the sum of two profiles: the gap between two curved bodies.
     """
 
     @property
     def reach(self) -> float:
-        """Radius up to which the shape is known [m]."""
+        """Radius [m] up to which the profile is defined."""
         return math.inf
 
     @property
@@ -116,7 +116,7 @@ class Shape:
 
     @property
     def rising(self) -> bool:
-        """Whether g is known never to fall with x; the solver checks it where it is not."""
+        """Whether g is known to increase with x everywhere; otherwise the solver checks it."""
         return False
 
     @property
@@ -166,7 +166,7 @@ class RisingShape(Shape):
 
 @value
 class Sum(Shape):
-    """The profile whose height is the sum of its parts; written ``a + b``.
+    """The sum of profiles, written ``a + b``.
 
     Parameters
     ----------
@@ -208,7 +208,7 @@ class Sum(Shape):
 
     @property
     def rising(self) -> bool:
-        """Known if it is known of every part."""
+        """True if it is true for every part."""
         return all(part.rising for part in self.parts)
 
     @property

@@ -25,7 +25,7 @@ __all__ = ["CrownedEnds", "LogarithmicEnds", "RollerEnds", "RoundedEnds", "Sharp
 
 @value
 class SharpEnds:
-    """A straight roller that is cut off: its edges are sharp, and the pressure there is infinite."""
+    """A straight roller with sharp edges, where the pressure is infinite."""
 
     def drop(self, x: Array, half_length: float, modulus: float) -> Array:
         """Return by how much the radius is smaller at x [m]: zero."""
@@ -36,7 +36,7 @@ class SharpEnds:
         return ()
 
     def refuse(self, half_length: float) -> None:
-        """Refuse what does not fit on the roller: nothing."""
+        """Check the dimensions; all are possible here."""
 
 
 @value
@@ -46,7 +46,7 @@ class CrownedEnds:
     Parameters
     ----------
     crown_radius : float
-        R_c [m] of the arc along the roller, taken as a parabola.
+        R_c [m] of the arc along the roller, approximated by a parabola.
     straight_length : float, optional
         Length of the straight part in the middle [m], tangent to the arcs.
     """
@@ -70,7 +70,7 @@ class CrownedEnds:
         return (-s, s) if s > 0.0 else ()
 
     def refuse(self, half_length: float) -> None:
-        """Refuse a straight part that leaves nothing for the arcs."""
+        """Raise an error if the straight part leaves no length for the arcs."""
         if self.straight_length >= 2.0 * half_length:
             raise InvalidInput(
                 f"RollerContact: the straight part of {self.straight_length:.6g} m takes the whole roller of "
@@ -85,8 +85,8 @@ class RoundedEnds:
     Parameters
     ----------
     edge_radius : float
-        Radius of the edges [m], less than half of the length; the arc is taken as a parabola, which it is where bodies
-        touch.
+        Radius of the edges [m], less than half of the length. The arc is approximated by a parabola, which is accurate
+        where the bodies touch.
     """
 
     edge_radius: Positive
@@ -101,7 +101,7 @@ class RoundedEnds:
         return (self.edge_radius - half_length, half_length - self.edge_radius)
 
     def refuse(self, half_length: float) -> None:
-        """Refuse edges that leave nothing of the straight part."""
+        """Raise an error if the edges leave no straight part."""
         if self.edge_radius >= half_length:
             raise InvalidInput(
                 f"RollerContact: edges rounded with {self.edge_radius:.6g} m leave nothing of a roller of "
@@ -116,8 +116,8 @@ class LogarithmicEnds:
     Parameters
     ----------
     design_force_per_length : float
-        P [N/m] of the load for which the crown is made, its force over the length: with K_1 = 1 it presses evenly, but
-        for a rise beside the ends.
+        P [N/m] of the load for which the crown is designed, its force over the length. With K_1 = 1 the pressure is
+        uniform along the roller, except for a rise near the ends.
     load_factor : float, optional
         K_1 [-]: the drop over that of Lundberg; greater for a roller that may be tilted.
     crowned_share : float, optional
@@ -158,7 +158,7 @@ class LogarithmicEnds:
         return (-s, s) if s > 0.0 else ()
 
     def refuse(self, half_length: float) -> None:
-        """Refuse what does not fit on the roller: nothing."""
+        """Check the dimensions; all are possible here."""
 
 
 RollerEnds: TypeAlias = SharpEnds | CrownedEnds | RoundedEnds | LogarithmicEnds

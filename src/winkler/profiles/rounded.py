@@ -131,7 +131,7 @@ class TruncatedParaboloid(PowerPieces):
 
 @value
 class CappedParaboloid(PowerPieces):
-    """A paraboloid whose tip has another curvature: worn flatter, or ground sharper.
+    """A paraboloid with another curvature at its tip: worn flatter, or ground sharper.
 
     Parameters
     ----------

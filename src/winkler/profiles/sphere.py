@@ -143,7 +143,7 @@ class Ellipsoid(_RoundBody):
 
 @value
 class Hyperboloid(RisingShape):
-    """A hyperboloid of revolution: a round tip that goes over into a cone.
+    """A hyperboloid of revolution: a round apex that tends to a cone.
 
     Parameters
     ----------

@@ -10,8 +10,8 @@ __all__ = ["Assumption"]
 class Assumption(Enum):
     """An assumption on which a result may rest.
 
-    Those with a number that is compared with a limit are `checked`: a violation has the standing "outside", or raises
-    `OutsideValidity`.  The others are stated with their error, which has a bound, or stated to be unknown.
+    Assumptions with a number that is compared with a limit are `checked`: a violation has the standing "outside", or
+    raises `OutsideValidity`. Notes on the others state a bound of the error, or that the error is not known.
     """
 
     RESPONSE = "response of the bodies"

@@ -52,7 +52,7 @@ ADDRESS = re.compile(r" at 0x[0-9A-Fa-f]+")
 
 
 class WinklerError(Exception):
-    r"""Root of every error that winkler raises on purpose; `exit_code` is what the command line returns.
+    r"""Base class of all winkler errors; `exit_code` is the exit code of the command line.
 
     Each argument is one sentence, and becomes one line.
 
@@ -95,7 +95,7 @@ class NotConverged(WinklerError, ArithmeticError):
 
 
 class OutsideValidity(WinklerError, ValueError):
-    """The input is sound, but the theory does not hold there."""
+    """The input is valid, but the theory does not apply to it."""
 
     exit_code = 4
 

@@ -32,7 +32,7 @@ __all__ = [
 
 
 class Standing(Enum):
-    """The statement of a note on the result, from best to worst."""
+    """The levels of a validity note, from best to worst."""
 
     EXACT = "exact"
     ASYMPTOTIC = "asymptotic"
@@ -54,7 +54,7 @@ class Note:
     statement
         One sentence in plain words.
     source
-        Where the statement comes from: a citation with DOI, or the check that was made.
+        The source of the statement: a citation with DOI, or the check that was made.
     error
         About how far the answer may be off for this reason, a share of it [-]; None where that is not known.
     """

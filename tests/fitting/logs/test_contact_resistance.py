@@ -77,11 +77,11 @@ def test_resistances_that_stay_low_behind_the_peak_are_doubted():
     rng = np.random.default_rng(5)
     measured = ohms(up) * np.repeat([1.0, 0.9], 50) * np.exp(0.01 * rng.standard_normal(100))
     found = MeasuredConstriction(BED, ResistanceLog(up, measured)).solve()
-    assert any(note.standing is Standing.OUTSIDE and "higher while the force rises" in note.statement
+    assert any(note.standing is Standing.OUTSIDE and "higher during loading" in note.statement
                for note in found.validity)  # fmt: skip
     even = ohms(up) * np.exp(0.01 * rng.standard_normal(100))
     notes = MeasuredConstriction(BED, ResistanceLog(up, even)).solve().validity
-    assert not any("while the force" in note.statement for note in notes)
+    assert not any("during loading" in note.statement for note in notes)
 
 
 def test_what_is_no_log_is_refused():

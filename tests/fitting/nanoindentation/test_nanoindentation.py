@@ -254,7 +254,7 @@ def test_validity_names_what_is_missing():
     curve, _ = indentation(Machine(), SILICA, 1, low_hold=0.0)
     found = Nanoindentation(curve, indenter(Machine()), 0.17).solve()
     notes = {note.statement.partition(":")[0]: note for note in found.validity}
-    assert "its share of the uncertainty is missing" in notes["Drift"].statement
+    assert "its contribution to the uncertainty is missing" in notes["Drift"].statement
     assert "covariance of area and frame is not known" in notes["Calibration"].statement
     narrow = CalibratedArea(Machine().coefficients, 1e-9, 5e-8)
     other = CalibratedIndenter(narrow, Machine().compliance, np.diag([1e-9, 0.1, 1e-9]) ** 2)

@@ -102,7 +102,7 @@ def test_one_reference_of_clean_data_says_that_frame_and_area_are_hardly_told_ap
     assert abs(hardness - STEEL_HARDNESS) < hardness_error < 0.5 * STEEL_HARDNESS
     determined, described = found.validity
     assert determined.standing is Standing.APPROXIMATE
-    assert f"correlated by {found.correlation:.2f}" in determined.statement
+    assert f"a correlation of {found.correlation:.2f}" in determined.statement
     assert abs(found.correlation) > 0.5
     assert "give frame_compliance, more depths, or a second reference" in determined.statement
     assert described.standing is Standing.ASYMPTOTIC

@@ -71,7 +71,7 @@ def test_an_unloading_with_the_numbers_of_nanosuite(kind):
     found = OliverPharr(ForceCurve(depth, force), kind(SILICA["coefficients"])).solve()
     assert found.hardness == pytest.approx(SILICA["hardness"], rel=SILICA["rounding"])
     assert sample_young(found.modulus, 0.18, DIAMOND) == pytest.approx(SILICA["young"], rel=SILICA["rounding"])
-    (dip,) = [note for note in found.validity if "shrinks at depths" in note.statement]
+    (dip,) = [note for note in found.validity if "decreases at depths" in note.statement]
     assert dip.standing is Standing.ASYMPTOTIC
 
 

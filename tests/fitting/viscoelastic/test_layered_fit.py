@@ -201,5 +201,5 @@ def test_a_film_creeps_on_glass():
 
 def test_other_numbers_of_the_stack_are_not_fitted():
     start = model(wk.StandardSolid(*FAR, poisson=0.45), on=wk.Rigid())
-    with pytest.raises(wk.InvalidInput, match="thickness.* is free, but on layers that relax"):
+    with pytest.raises(wk.InvalidInput, match="thickness.* is free, but on viscoelastic layers"):
         wk.fit(on_glass(0), start, free=["bed.medium.layers[0].thickness"])

@@ -79,7 +79,7 @@ def test_what_is_stated_about_creep_holds_along_the_whole_curve():
     assert not found.radius[before].any()
     statements = [note.statement for note in found.validity if note.statement.startswith("Baseline")]
     assert len(statements) == 1
-    assert re.search(r"on approach; the scatter is 0\.0(08|09|1)\d* of the range of forces: enough", statements[0])
+    assert re.search(r"on approach; the scatter is 0\.0(08|09|1)\d* of the force range. This is enough", statements[0])
     assert np.std(found.residuals[before]) == pytest.approx(found.noise, rel=0.3)
 
 

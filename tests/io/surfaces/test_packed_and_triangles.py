@@ -205,7 +205,7 @@ def test_triangles_without_one_height_at_each_place_are_one_sentence(tmp_path, c
 def test_heights_and_lengths_below_atoms_are_doubted():
     """Heights that stand in metres, read as micrometres, were a map without a word."""
     heights = 1e-14 * COUNTS
-    assert "smaller than an atom" in " ".join(doubts_of_surface(heights, 1e-8, (1e-5, 1e-5)))
+    assert "less than the size of an atom" in " ".join(doubts_of_surface(heights, 1e-8, (1e-5, 1e-5)))
     assert "a few atoms" in " ".join(doubts_of_surface(1e4 * heights, 0.1, (1e-10, 1e-10)))
     assert doubts_of_surface(1e4 * heights, 1e-4, (1e-5, 1e-5)) == ()
     assert doubts_of_surface(0.0 * heights, 0.0, (1e-5, 1e-5)) == ()

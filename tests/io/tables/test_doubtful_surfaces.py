@@ -48,7 +48,7 @@ def test_floors_and_steps_are_no_marks():
         left, marks = without_marks(heights)
         assert marks.size == 0
         np.testing.assert_array_equal(left, heights)
-        assert any("if they mark missing points" in doubt for doubt in doubts_of_surface(heights, 0.1, (1e-3,)))
+        assert any("If they mark missing points" in doubt for doubt in doubts_of_surface(heights, 0.1, (1e-3,)))
     assert doubts_of_surface(rough, 0.1, (1e-3,)) == ()
 
 
@@ -62,7 +62,7 @@ def test_places_in_mm_and_heights_in_um(tmp_path, capsys):
     x, z = _wave()
     path = tmp_path / "line.txt"
     np.savetxt(path, np.c_[1e-3 * x, z], fmt="%.9g", delimiter="\t")
-    assert any("another unit than lengths" in one for one in _shown(capsys, path, "--unit", "um")["remarks"])
+    assert any("may have different units" in one for one in _shown(capsys, path, "--unit", "um")["remarks"])
     right = _shown(capsys, path, "--unit", "mm, um")
     assert right["remarks"] == []
     assert right["statistics"]["rms_slope"]["value"] == pytest.approx(np.std(np.diff(z)), rel=0.01)

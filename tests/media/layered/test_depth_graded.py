@@ -352,7 +352,7 @@ def test_indentation_and_fields():
     surface = wk.restore(contact, [0.0, 0.3])
     np.testing.assert_allclose(surface.displacement, contact.depth - np.array([0.0, 0.045]), rtol=1e-6)
     assert contact.force > 4.0 / 3.0 / 0.91 * 0.5**3  # stiffer than what it is at the surface
-    assert "cells so thin" in str(contact.validity[0])
+    assert "divided into thin cells" in str(contact.validity[0])
 
 
 @pytest.mark.slow

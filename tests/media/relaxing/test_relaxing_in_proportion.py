@@ -184,5 +184,5 @@ def test_what_has_no_single_answer():
 def test_what_is_assumed_is_stated():
     found = pressed(bed(FILM), [0.0, 1.0], Depth([0.0, 0.01]), count=50)
     text = " ".join(note.statement for note in found.validity)
-    assert "same function of time" in text
+    assert "one common relaxation function" in text
     assert "bonded" in text

@@ -79,7 +79,7 @@ def test_what_it_does_not_bear_is_refused_by_name():
     with pytest.raises(InvalidInput, match=r"SlidingFilm: layers has 2 layers; give one Layer"):
         wk.SlidingFilm([layer, layer], on=STIFF)
     medium = wk.SlidingFilm([layer], on=STIFF)
-    with pytest.raises(OutsideValidity, match="SlidingFilm: layer 1 slides on what lies below it.*slides away"):
+    with pytest.raises(OutsideValidity, match="SlidingFilm: layer 1 slides on its base.*slide away"):
         medium.tangential_stiffness(np.array([1e-6]))
     pressed = wk.Indentation(wk.Foundation(wk.Paraboloid(1e-5), medium), wk.Depth(1e-8))
     assert any("does not lift off" in note.statement for note in pressed.solve().validity)

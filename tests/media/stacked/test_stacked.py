@@ -196,7 +196,7 @@ def test_the_force_passes_through_each_plane():
 
 def test_what_is_not_known_is_refused_by_name():
     slides = stack([(QUARTZ_LIKE, 1.0, True), (GLASS, 1.0, False)], on=GLASS)
-    with pytest.raises(OutsideValidity, match="StackedHalfSpace: layer 2 slides on what lies below it"):
+    with pytest.raises(OutsideValidity, match="StackedHalfSpace: layer 2 slides on its base"):
         slides.punch_shear_stiffness(np.array([1.0]))
     with pytest.raises(OutsideValidity, match="layer 2 slides"):
         slides.tangential_stiffness(np.array([1.0]))
@@ -221,5 +221,5 @@ def test_a_height_map_presses_on_a_sliding_stack():
         errors.append(contact.force / line.force - 1.0)
     assert abs(errors[1]) < 5e-4
     assert 3.0 < errors[0] / errors[1] < 6.0
-    with pytest.raises(OutsideValidity, match="of a StackedHalfSpace that slides bears no tractions"):
+    with pytest.raises(OutsideValidity, match="of a StackedHalfSpace that slides carries no tangential tractions"):
         compliance_of(medium)

@@ -62,7 +62,7 @@ def test_what_the_film_may_add_is_stated():
     assert f"at most {most:.3g} ohm m" in note.statement
     assert note.standing is wk.Standing.APPROXIMATE
     near = passed(wk.HalfWidth(1e-4), first=5e-5).validity
-    assert any("is wider than the point" in note.statement for note in near)
+    assert any("more than the depth of the nearer point" in note.statement for note in near)
 
 
 def test_what_is_refused():

@@ -241,10 +241,10 @@ def test_arrays_and_notes():
     one = wk.BimodalDamping(BALL, Coulomb(0.3), DEPTH, DOWN, 2.0 * ASIDE, float(phase[1])).solve()
     assert isinstance(one.loss_per_cycle, float)
     assert one.loss_per_cycle == swing.loss_per_cycle[1, 1]
-    assert any("from the second on" in note.statement for note in swing.validity)
+    assert any("From the second cycle on" in note.statement for note in swing.validity)
     assert any("Cattaneo-Mindlin" in note.statement for note in swing.validity)
     assert any(
-        "Nothing slides" in note.statement for note in wk.RelaxationDamper(BALL, DEPTH, DOWN, 1.0).solve().validity
+        "No slip is assumed" in note.statement for note in wk.RelaxationDamper(BALL, DEPTH, DOWN, 1.0).solve().validity
     )
 
 

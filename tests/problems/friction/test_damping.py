@@ -196,7 +196,7 @@ def test_springs_of_different_kinds_are_computed_and_labelled():
     expected = quad(lost, 0.0, contact.radius, epsabs=0.0, epsrel=1e-8, limit=400)[0]
     assert springs.loss(np.array([shift]))[0] == pytest.approx(expected, rel=1e-6)
     notes = damping_notes(bed, float(contact.radius), MU)
-    (label,) = [note for note in notes if "springs slide by themselves" in note.statement]
+    (label,) = [note for note in notes if "Independent slip of the springs" in note.statement]
     assert label.standing is wk.Standing.APPROXIMATE
     force = springs.force(np.array([shift]))
     assert springs.shift(force)[0] == pytest.approx(shift, rel=1e-9)

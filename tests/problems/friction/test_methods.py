@@ -73,5 +73,5 @@ def test_rings_of_a_coating_that_is_none_lose_what_springs_do():
     exact, rings = (bimodal(method, same).solve() for method in (wk.Method.EXACT, wk.Method.RINGS))
     assert exact.loss_per_cycle == pytest.approx(bimodal(wk.Method.AUTO, same).solve().loss_per_cycle, rel=1e-12)
     assert rings.loss_per_cycle == pytest.approx(exact.loss_per_cycle, rel=2e-3)
-    assert any("cut into rings" in note.statement for note in rings.validity)
+    assert any("divided into annular elements" in note.statement for note in rings.validity)
     assert math.isfinite(rings.loss_per_cycle)

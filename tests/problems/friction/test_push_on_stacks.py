@@ -187,7 +187,7 @@ def test_impacts_keep_the_energy():
 def test_what_is_refused():
     path = wk.Path.through(wk.Depth(D), wk.Shift([0.0, 1e-4]))
     sliding = wk.StackedHalfSpace([wk.StackLayer(GLASS, 0.02, False)], on=SOFT)
-    with pytest.raises(wk.OutsideValidity, match="layer 1 slides on what lies below it and bears no shear"):
+    with pytest.raises(wk.OutsideValidity, match="layer 1 slides on its base and carries no shear"):
         wk.Tangential(wk.Foundation(BALL, sliding), wk.Coulomb(MU), path)
     power = wk.GradedHalfSpace.between(wk.PowerLawGraded(2.6, 0.5, exponent=0.3, poisson=0.3))
     with pytest.raises(wk.OutsideValidity, match=r"is a GradedHalfSpace.*leave the method out, or give springs"):

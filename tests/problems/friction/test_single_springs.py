@@ -125,7 +125,7 @@ def test_too_large_a_force_is_refused_where_it_is_prescribed(plane):
     problem = wk.Tangential(BALL, Coulomb(MU), Path(np.arange(4.0), wk.Depth(1.0), load), wk.Method.SPRINGS, 100)
     reached = []
     with pytest.raises(
-        wk.OutsideValidity, match=r"at index 2 of the path .* where friction bears .* give a smaller one"
+        wk.OutsideValidity, match=r"at index 2 of the path .* the friction limit is .* give a smaller one"
     ):
         reached.extend(problem.steps())
     assert len(reached) == 2
@@ -203,7 +203,7 @@ def test_bodies_that_never_meet():
     state = list(wk.Tangential(BALL, Coulomb(MU), path, wk.Method.SPRINGS).steps())[-1]
     assert (state.force, state.shear_force, state.radius, state.stick_radius) == (0.0, 0.0, 0.0, 0.0)
     assert state.sheared.components == ((),)
-    with pytest.raises(wk.OutsideValidity, match="at index 1 of the path .* where friction bears 0 N"):
+    with pytest.raises(wk.OutsideValidity, match="at index 1 of the path .* the friction limit is 0 N"):
         wk.Tangential(
             BALL, Coulomb(MU), Path(path.time, path.normal, wk.ShearForce([0.0, 1.0])), wk.Method.SPRINGS
         ).solve()
@@ -217,7 +217,7 @@ def test_its_validity_notes():
 
     message = next(note for note in notes(line) if note.assumption is Assumption.RESOLUTION)
     assert message.standing is Standing.ASYMPTOTIC
-    assert message.statement.startswith("400 springs: shear force and energies are of second order")
+    assert message.statement.startswith("400 springs: errors of shear force and energies are of second order")
     assert any("5 % after two strokes" in note.statement for note in notes(plane))
     medium = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(10.0, 0.2), 0.5)], wk.Elastic(1.0, 0.4))
     coated = wk.Foundation(wk.Paraboloid(1.0), medium)
@@ -285,7 +285,7 @@ def test_static_and_kinetic_friction():
     assert trace.shear_force[-1] == pytest.approx(MU * FORCE, rel=1e-12)
     mean = 0.5 * (trace.shear_force[1:] + trace.shear_force[:-1]) @ np.diff(trace.shift)
     assert trace.dissipation[-1] + trace.stored_energy[-1] == pytest.approx(mean, rel=2e-2)
-    assert any("first order in the distance" in note.statement for note in trace.validity)
+    assert any("first order in the spring spacing" in note.statement for note in trace.validity)
     states = list(trace.problem.steps())
     np.testing.assert_allclose([state.stick_radius for state in states], np.sqrt(s), atol=4e-3)
 

@@ -311,7 +311,9 @@ def test_a_falling_load_and_a_twist_that_turns_back_are_marked():
     depths = np.array([1.0, 0.8]) * A**2 / R
     solution = twisted(BALL, Depth(depths), Angle(np.array([0.3, 0.246]) * TWIST))
     assert solution.nested.tolist() == [True, False]
-    assert any(note.standing is Standing.APPROXIMATE and "turns back" in note.statement for note in solution.validity)
+    assert any(
+        note.standing is Standing.APPROXIMATE and "during reversal" in note.statement for note in solution.validity
+    )
 
 
 @pytest.mark.slow
@@ -426,7 +428,7 @@ def test_what_is_refused():
         Torsion(BALL, Coulomb(MU), Path([0.0], Force(F), Shift(0.0)))
     with pytest.raises(InvalidInput, match="give Coulomb"):
         Torsion(BALL, 0.3, Path([0.0], Force(F), Angle(0.0)))
-    with pytest.raises(OutsideValidity, match="a Paraboloid; how rings slide around the axis on it is not built in"):
+    with pytest.raises(OutsideValidity, match="a Paraboloid; slip annuli of a twisted contact are implemented for"):
         twisted_medium(Paraboloid(R))
     gibson = Foundation(Paraboloid(R), GradedHalfSpace(PowerLawGraded(1.0, 1.0, exponent=1.0, poisson=0.5)))
     with pytest.raises(OutsideValidity, match="does not resist a twist"):
@@ -455,7 +457,7 @@ def test_what_slides_inside_of_what_sticks_is_noted_with_its_excess():
     assert any("From index 2 on" in one and re.search(r"by up to (4\.[5-9]|5\.[0-4])%", one) for one in statements)
     steady = Path([0.0, 1.0, 2.0], Force([10.0, 10.0, 5.0]), Angle([0.0, turn, 0.0]))
     assert not any(
-        "sticking ones outside" in note.statement for note in Torsion(bed, Coulomb(0.4), steady).solve().validity
+        "sticking springs outside" in note.statement for note in Torsion(bed, Coulomb(0.4), steady).solve().validity
     )
 
 

@@ -183,4 +183,4 @@ def test_rings_on_a_graded_body_bear_their_own_pressure():
     arms = 0.25 * np.pi * weights * a * np.cos(angle) * 2.0 * np.pi * place**2
     whole = MU * float(arms @ problem.bed.medium.pressure(springs, place))
     assert found.torque_limit[1] == pytest.approx(whole, rel=5e-5)
-    assert any("misses that of a flat punch by" in note.statement for note in found.validity)
+    assert any("differs from that of a flat punch by" in note.statement for note in found.validity)

@@ -138,5 +138,5 @@ def test_what_is_refused():
 
 def test_notes_speak_of_the_band():
     text = " ".join(note.statement for note in heated().validity)
-    assert "the flux is the one given, all over the band" in text
+    assert "The flux is the given one over the whole band" in text
     assert "pressure" not in text

@@ -77,7 +77,7 @@ def test_gross_slip_is_a_slow_slider():
     radius = float(warm.march.radius[-1])
     sliding = hertz_heat_temperature(MU * FORCE * 4.0 * amplitude * 2.0, radius, 90.0, 0.0)
     assert warm.max_temperature == pytest.approx(float(sliding), rel=0.05)
-    assert any("to either side" in note.statement for note in warm.validity)
+    assert any("to each side" in note.statement for note in warm.validity)
 
 
 def test_the_swing_of_a_quick_motion_is_that_of_a_plane():

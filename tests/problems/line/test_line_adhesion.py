@@ -139,7 +139,7 @@ def test_waves_hold_a_wavy_cylinder_stronger():
 
 
 def test_refusals_are_one_sentence():
-    with pytest.raises(wk.OutsideValidity, match=r"below the pull-off: no contact holds beyond -4\.45.* N/m"):
+    with pytest.raises(wk.OutsideValidity, match=r"below the pull-off: no equilibrium exists beyond -4\.45.* N/m"):
         stuck(CYLINDER, wk.LineForce(np.array([0.0, -10.0])))
     with pytest.raises(wk.OutsideValidity, match="as sharp as"):
         stuck(wk.PowerLaw(coefficient=0.01, exponent=0.5), wk.LineForce(0.0))

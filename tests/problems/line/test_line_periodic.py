@@ -136,7 +136,10 @@ def test_notes_state_closure_yield_and_checks():
     strong = wk.HalfSpace.between(wk.Elastic(210e9, 0.3, strength=1e9), STEEL)
     yields = pressed(WAVE, wk.NominalPressure(1.9 * CLOSURE), strong)
     notes = {note.assumption: note for note in yields.validity}
-    assert notes[wk.Assumption.EQUILIBRIUM].statement == "All is in contact; more load presses evenly."
+    assert (
+        notes[wk.Assumption.EQUILIBRIUM].statement
+        == "The surfaces are in full contact; additional load adds a uniform pressure."
+    )
     assert notes[wk.Assumption.ELASTIC].standing is wk.Standing.EXACT
     weak = wk.HalfSpace.between(wk.Elastic(210e9, 0.3, strength=1e7), STEEL)
     notes = {note.assumption: note for note in pressed(WAVE, wk.NominalPressure(0.1 * CLOSURE), weak).validity}

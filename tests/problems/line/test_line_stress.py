@@ -295,7 +295,7 @@ def test_the_approach_is_the_compression_of_the_axis(name):
 def test_its_size_is_that_of_a_half_width():
     statements = [note.statement for note in pressed(wk.Paraboloid(10e-3), 1e-4).validity]
     assert (
-        "The half-width of the contact is 0.01 of the body's radius: the body may be taken for a half-space."
+        "The half-width of the contact is 0.01 of the body's radius: the body can be treated as a half-space."
         in statements
     )
 

@@ -121,7 +121,7 @@ def test_a_layer_that_slides_is_pushed_away(sliding):
         "stack": wk.StackedHalfSpace(layers, solid(0.1)),
         "film": wk.SlidingFilm([wk.Layer(solid(), 1.0)], solid(0.1)),
     }[sliding]
-    with pytest.raises(wk.OutsideValidity, match="slides on what lies below it and bears no shear"):
+    with pytest.raises(wk.OutsideValidity, match="slides on its base and carries no shear"):
         wk.LineTangential(wk.LayeredLineFoundation(CYLINDER, medium), wk.Coulomb(MU), wk.LinePath(1.0, [0.0, 0.1]))
 
 
@@ -204,7 +204,7 @@ def test_friction_drags_a_layer_away_that_slides_on_what_lies_below_it():
     bed = wk.LayeredLineFoundation(CYLINDER, wk.SlidingFilm([wk.Layer(solid(), 1.0)], solid(0.1)))
     pair = wk.HeatConductors(wk.ThermalConductor(2.0, 0.5), wk.ThermalConductor(1.0, 1.0))
     pressed = wk.LineIndentation(bed, wk.LineForce(0.1))
-    with pytest.raises(wk.OutsideValidity, match="slides on what lies below it and bears no shear"):
+    with pytest.raises(wk.OutsideValidity, match="slides on its base and carries no shear"):
         wk.LineFrictionHeating(pressed, wk.Coulomb(MU), pair, first_speed=1.0, second_speed=2.0)
 
 

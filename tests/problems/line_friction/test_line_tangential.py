@@ -360,8 +360,8 @@ def test_the_trailing_edge_is_pulled_by_twice_the_friction():
 @pytest.mark.parametrize(
     ("profile", "path", "sentence"),
     [
-        (wk.Paraboloid(10e-3), ([1e5, 1e5], [0.0, 5e4]), "index 1 .* friction bears 40000 N/m at most"),
-        (wk.Paraboloid(10e-3), ([1e5, 0.0], [0.0, 1.0]), "index 1 .* friction bears 0 N/m at most"),
+        (wk.Paraboloid(10e-3), ([1e5, 1e5], [0.0, 5e4]), "index 1 .* friction limit is 40000 N/m"),
+        (wk.Paraboloid(10e-3), ([1e5, 0.0], [0.0, 1.0]), "index 1 .* friction limit is 0 N/m"),
         (wk.Paraboloid(10e-3), ([1e5, 1e5], [0.0, 1e4, 0.0]), "give one number for each point"),
         (wk.Paraboloid(10e-3), ([1e5, 1e5], [0.0, 0.0], 1e6), "there is none"),
     ],

@@ -191,7 +191,7 @@ def test_what_is_not_followed_is_refused():
         wk.LineTangential(bed, Coulomb(MU), LinePath(LOAD, [0.0, 1e-6], time=[0.0, 1.0]), wk.Method.EXACT)
     film = wk.ViscoelasticCoatedHalfSpace([wk.ViscoelasticLayer(STANDARD, 0.1)], wk.Elastic(1.0, 0.3))
     layers = wk.LayeredLineFoundation(wk.Paraboloid(1.0), film)
-    with pytest.raises(InvalidInput, match="relax alike"):
+    with pytest.raises(InvalidInput, match="common relaxation function"):
         wk.LineTangential(layers, Coulomb(MU), LinePath(LOAD, [0.0, 1e-6], time=[0.0, 1.0]))
     steps = wk.LineTangential(bed, Coulomb(MU), LinePath(LOAD, [0.0, 1e-6, LOAD], time=[0.0, 1.0, 2.0])).steps()
     assert next(steps).shear_force_per_length == 0.0

@@ -164,7 +164,7 @@ def test_yielding_counts_the_traction():
             BED,
             LOAD,
             wk.OutsideValidity,
-            "friction bears 30000 N/m, less than the 30300",
+            "the friction limit is 30000 N/m, less than the given 30300",
         ),
         (wk.Creepage(1e-3, lateral=1e-3), BED, LOAD, wk.OutsideValidity, "has a lateral part or a spin"),
         (wk.Creepage(1e-3), BED, wk.LineForce(0.0), wk.OutsideValidity, "the bodies do not touch"),

@@ -138,8 +138,8 @@ def test_the_stated_error_of_the_loss_holds_against_what_drives_the_rollers(mu, 
     assert np.shape(found.loss_error) == np.shape(found.loss_per_area)
     assert np.all(np.abs(np.asarray(found.loss_per_area) - driven) <= found.loss_error)
     assert np.all(np.asarray(found.loss_error) < 0.02 * np.asarray(found.loss_per_area))
-    assert any("The loss is within" in note.statement for note in found.validity)
-    assert any("too small for these elements" in note.statement for note in rolled(0.3).validity)
+    assert any("The error of the dissipated energy is at most" in note.statement for note in found.validity)
+    assert any("too small to be resolved by these elements" in note.statement for note in rolled(0.3).validity)
     assert rolled(mu, drive, coupled=False).loss_error == pytest.approx(0.0, abs=0.0)
 
 
@@ -199,7 +199,7 @@ def test_the_stresses_below_are_those_of_its_pressure_and_traction():
 def test_what_is_assumed_is_stated():
     weak = wk.Elastic(ALUMINIUM.young, 0.31, 10e6)
     notes = rolled(0.05, pair=(weak, STEEL)).validity
-    assert any("act on each other, both ways" in note.statement for note in notes)
+    assert any("are coupled in both directions" in note.statement for note in notes)
     assert any(note.assumption is wk.Assumption.ELASTIC and note.standing is wk.Standing.OUTSIDE for note in notes)
 
 

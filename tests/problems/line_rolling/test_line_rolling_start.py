@@ -41,8 +41,8 @@ def test_the_stated_error_holds_from_small_forces_to_sliding(ratio, error):
     found = begun(ratio, distance=6.0, count=80, points=1)
     assert found.longitudinal_creepage[-1] == pytest.approx(steady, rel=error)
     (stated,) = (note.statement for note in found.validity if "80 elements" in note.statement)
-    assert "up to 0.2 % of Carter's. This holds from a tenth to nine tenths" in stated
-    assert "beyond, it is 0.6 %" in stated
+    assert "from Carter's by at most 0.2 %. This holds for shear forces of 10 to 90 % of mu P" in stated
+    assert "outside this range the difference is 0.6 %" in stated
 
 
 @pytest.mark.slow
@@ -188,7 +188,7 @@ def test_a_march_that_was_stopped_keeps_what_it_reached():
 @pytest.mark.parametrize(
     ("drive", "more", "error", "sentence"),
     [
-        (wk.LineShearForce(MOST), {}, wk.OutsideValidity, "friction bears less than"),
+        (wk.LineShearForce(MOST), {}, wk.OutsideValidity, "the friction limit at rest is"),
         (wk.LineShearForce(0.1 * MOST), {"distance": 1e6}, wk.OutsideValidity, "give a shorter one"),
         (wk.Creepage(1e-3), {}, wk.InvalidInput, "Give the distance `reference`"),
         (wk.Creepage(1e-3), {"reference": 1.5}, wk.OutsideValidity, "nearer than 2 half-widths"),

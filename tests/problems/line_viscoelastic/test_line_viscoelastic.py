@@ -169,7 +169,7 @@ def test_two_bodies_share_the_approach():
         atol=1e-12,
     )
     other = wk.StandardSolid(0.05, 0.2, 5.0)
-    with pytest.raises(wk.OutsideValidity, match="each by a function of its own"):
+    with pytest.raises(wk.OutsideValidity, match="different relaxation functions"):
         solved(wk.Paraboloid(1.0), COARSE, SOLID, other).approach(1.0, 1.0)
 
 

@@ -174,7 +174,7 @@ def test_shifts_by_one_of_them_are_its_own(by):
     truth = ferry(WARMTH) + (slower_loss(WARMTH) if by is wk.ShiftedBy.LOSS else 0.0)
     found = wk.MasterCurve(contradicting(3), REFERENCE, by=by).solve()
     assert np.all(np.abs(judged(found, truth)) < 4.0)
-    assert any(f"those of the {by} alone" in note.statement for note in found.validity)
+    assert any(f"those of the {by} modulus alone" in note.statement for note in found.validity)
     assert found.loss_over_storage.size == 0
     assert found.residuals.size == 2 * 13 * WARMTH.size  # of both, with these shifts
     own, other = found.scatter if by is wk.ShiftedBy.STORAGE else found.scatter[::-1]

@@ -136,7 +136,7 @@ def test_forces_and_depths_are_two_sides_of_one_curve():
 
 
 def test_how_far_from_round_is_stated():
-    for body, statements in ((oval(0.4, 0.6), "within 0.1"), (pyramid(3, 12), "forces within 4")):
+    for body, statements in ((oval(0.4, 0.6), "at most 0.1"), (pyramid(3, 12), "at most 4")):
         assert statements in NearlyRoundIndentation(body, ONE, Depth(0.01)).solve().validity[-1].statement
 
 

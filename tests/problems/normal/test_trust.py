@@ -74,7 +74,10 @@ def test_a_rim():
 
 
 def test_a_note_of_a_wavy_body_states_that_it_was_checked():
-    note = find(validity(wk.Paraboloid(1e-2) + wk.Wavy(1e-10, 1e-3), wk.Depth(1e-7)), "is one disc was checked")
+    note = find(
+        validity(wk.Paraboloid(1e-2) + wk.Wavy(1e-10, 1e-3), wk.Depth(1e-7)),
+        "checked that the contact is one disc",
+    )
     assert "no tension inside, no overlap outside" in note.statement
 
 
@@ -105,7 +108,7 @@ def test_a_check_that_does_not_come_to_an_end_refuses_nothing(monkeypatch):
     film = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(1e4, 0.5), 2.13e-6)], on=wk.Rigid())
     bed, loads = wk.Foundation(wk.Cone(1.2), film), wk.Depth(np.array([0.3e-6, 1e-6]))
     looked_at = wk.Indentation(bed, loads).solve()
-    assert find(looked_at.validity, "one disc was checked").standing is wk.Standing.EXACT
+    assert find(looked_at.validity, "checked that the contact is one disc").standing is wk.Standing.EXACT
 
     def endless(*_):
         raise wk.NotConverged("The separation outside the contact could not be computed.")
@@ -114,7 +117,7 @@ def test_a_check_that_does_not_come_to_an_end_refuses_nothing(monkeypatch):
     single_contact._unfinished.cache_clear()
     try:
         unseen = wk.Indentation(bed, loads).solve()
-        note = find(unseen.validity, "did not come to an end")
+        note = find(unseen.validity, "did not finish")
     finally:
         single_contact._unfinished.cache_clear()
     assert note.standing is wk.Standing.APPROXIMATE

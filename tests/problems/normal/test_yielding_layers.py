@@ -78,14 +78,14 @@ def test_a_film_that_slides_on_a_rigid_base_yields_inside():
     assert mises_on_axis(found, above, found.z, free, H - found.z) == pytest.approx(Y, rel=1e-6)
     stack = wk.StackedHalfSpace([wk.StackLayer(wk.Elastic(E, 0.3, strength=Y), H, bonded=False)], on=wk.Rigid())
     assert wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), stack)).solve().force == pytest.approx(found.force, rel=1e-12)
-    with pytest.raises(wk.OutsideValidity, match="layer 1 slides on what lies below it and bears no shear"):
+    with pytest.raises(wk.OutsideValidity, match="layer 1 slides on its base and carries no shear"):
         wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), stack), wk.Coulomb(0.1)).solve()
 
 
 def test_media_and_parts_without_an_onset_are_refused():
     with pytest.raises(wk.InvalidInput, match="no body has a strength"):
         wk.YieldOnset(coated(E, H, layer=math.inf, base=math.inf))
-    with pytest.raises(wk.InvalidInput, match="the strength of a graded one is a profile"):
+    with pytest.raises(wk.InvalidInput, match="the strength of a graded body varies with depth"):
         wk.YieldOnset(wk.Foundation(wk.Paraboloid(R), wk.GradedHalfSpace.between(wk.PowerLawGraded(E, 0.3, H, 0.3))))
 
 

@@ -167,7 +167,7 @@ def test_the_pull_off_is_that_of_johnson_kendall_and_roberts():
     at_rest, nearly = next(states), next(states)
     assert at_rest.radius == pytest.approx((4.5 * math.pi * WORK) ** (1.0 / 3.0), rel=1e-5)
     assert nearly.force == -0.999 * PULL
-    with pytest.raises(wk.OutsideValidity, match="tears the particle off"):
+    with pytest.raises(wk.OutsideValidity, match="pulls the particle off"):
         next(states)
 
 
@@ -312,7 +312,7 @@ def test_too_deep_is_outside():
         next(steps)
     with pytest.raises(wk.OutsideValidity, match="deeper than"):
         pressed(wk.Force([1e6]))
-    with pytest.raises(wk.OutsideValidity, match="tears the particle off"):
+    with pytest.raises(wk.OutsideValidity, match="pulls the particle off"):
         pressed(wk.Force([1.0, -1e-3]))
 
 

@@ -100,12 +100,12 @@ def test_the_strength_of_a_metal_that_hardens_is_where_it_begins():
     unknown = ball(wk.PowerHardening(210e9, 0.3, exponent=0.2))
     found = wk.StrengthFromDent(unknown, wk.Force(1000.0), wk.Radius(left.largest_radius[0])).solve()
     assert found.strength == pytest.approx(0.4e9, rel=1e-8)
-    assert not any("A dent tells one strength" in note.statement for note in found.validity)
+    assert not any("A dent determines one strength" in note.statement for note in found.validity)
     # without the exponent it is the flow stress at a strain of 0.2 a/R (Tabor)
     plain = wk.StrengthFromDent(ball(PLAIN), wk.Force(1000.0), wk.Radius(left.largest_radius[0])).solve()
     tabor = float(solid.flow_stress(np.array(0.2 * left.largest_radius[0] / RADIUS)))
     assert plain.strength == pytest.approx(tabor, rel=0.1)
-    assert any("A dent tells one strength" in note.statement for note in plain.validity)
+    assert any("A dent determines one strength" in note.statement for note in plain.validity)
 
 
 @pytest.mark.few(1)

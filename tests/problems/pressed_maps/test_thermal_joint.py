@@ -115,12 +115,12 @@ def test_a_round_spot_through_platings():
     found = ThermalJoint(wk.SurfaceContact(ball, STEEL, wk.Depth(1e-10 / 2e-3)), pair).solve()
     assert found.resistance == pytest.approx(expected, rel=2e-3)
     assert expected < 0.7 * float(wk.HeatConductors(STEEL_HEAT, STEEL_HEAT).resistances(np.array([10e-6])).whole[0])
-    assert any("platings conduct as even layers" in note.statement for note in found.validity)
+    assert any("platings conduct as flat layers" in note.statement for note in found.validity)
     coated = wk.CoatedHalfSpace([wk.Layer(wk.Elastic(110e9, 0.34), 3e-6)], on=wk.Elastic(210e9, 0.3))
     uniform = ThermalJoint(wk.SurfaceContact(ball, coated, wk.Depth(5e-8)), PAIR).solve()
     conducting = np.sqrt(uniform.area / np.pi)
     assert uniform.conductance == pytest.approx(4.0 * conducting / 0.04, rel=0.02)
-    assert any("given apart from the elastic layers" in note.statement for note in uniform.validity)
+    assert any("given separately from the elastic layers" in note.statement for note in uniform.validity)
 
 
 def test_a_closed_periodic_map_holds_nothing_back():
@@ -151,7 +151,7 @@ def test_gap_and_spots_stand_side_by_side():
     touching_area = patch * np.count_nonzero(touching)
     assert held.resistance > bare.resistance + 1.0 / (1e6 * touching_area)  # Rayleigh: equal potentials on both sides
     statements = [note.statement for note in filled.validity]
-    assert any(s.startswith("What fills the gap conducts across it, 0.026 W/(m K)") for s in statements)
+    assert any(s.startswith("The medium in the gap conducts heat with 0.026 W/(m K)") for s in statements)
 
 
 def test_what_is_refused():

@@ -213,7 +213,7 @@ def test_what_lies_below_the_layer_of_rolling_profiles_is_felt():
 @pytest.mark.parametrize(
     ("medium", "why"),
     [
-        (wk.SlidingFilm([wk.Layer(STEEL.first, 1e-6)], on=STEEL.first), "of a SlidingFilm that slides bears no"),
+        (wk.SlidingFilm([wk.Layer(STEEL.first, 1e-6)], on=STEEL.first), "of a SlidingFilm that slides carries no"),
         (wk.GradedHalfSpace.between(wk.PowerLawGraded(210e9, 1e-3, 1.0, 0.5)), "no tangential stiffness"),
     ],
 )

@@ -107,15 +107,14 @@ def simplified(a, b, poisson, creepage):
 @pytest.mark.parametrize(
     ("creepage", "sentence"),
     [
-        (wk.Creepage(1e-3), "Under longitudinal or lateral creepage alone the force stays within 0.05 of mu F_N"),
+        (wk.Creepage(1e-3), "Under longitudinal or lateral creepage alone the force differs by at most 0.05 mu F_N"),
         (
             wk.Creepage(1e-3, 1e-3),
-            "Under both creepages the force stays within 0.14 of mu F_N of the exact theory. "
-            "The moment stays within 0.06",
+            "Under both creepages the force differs by at most 0.14 mu F_N, the moment by at most 0.06",
         ),
         (
             wk.Creepage(1e-3, 1e-3, 0.1),
-            "With spin the force stays within 0.19 of mu F_N of the exact theory. The moment stays within 0.09",
+            "With spin the force differs by at most 0.19 mu F_N, the moment by at most 0.09",
         ),
     ],
 )

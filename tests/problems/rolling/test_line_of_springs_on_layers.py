@@ -282,15 +282,15 @@ def test_woven_bodies_roll_as_the_isotropic_pair_that_tractions_move_alike():
 def test_a_body_that_is_no_ball_is_labelled(profile, unknown):
     bed = wk.Foundation(profile, POWER)
     notes = wk.Rolling(bed, FRICTION, wk.Creepage(1e-3), wk.Radius(0.01)).solve().validity
-    stated = next(note.statement for note in notes if "within 0.08 of mu F_N" in note.statement)
-    assert stated.endswith("This body is no ball, and of it the distance is not known.") == unknown
+    stated = next(note.statement for note in notes if "at most 0.08 mu F_N" in note.statement)
+    assert stated.endswith("This body is not a ball; the error is not known.") == unknown
 
 
 def test_what_does_not_roll_on_a_line():
     shape, load = wk.Paraboloid(1.0), wk.Radius(0.01)
     slides = wk.StackedHalfSpace([wk.StackLayer(BASE, 0.01, bonded=False)], BASE)
     gibson = wk.GradedHalfSpace(wk.PowerLawGraded(1.0, 1.0, 1.0, 0.5))
-    for medium, why in ((slides, "slides on what lies below"), (gibson, "no tangential stiffness")):
+    for medium, why in ((slides, "slides on its base"), (gibson, "no tangential stiffness")):
         with pytest.raises(wk.OutsideValidity, match=why):
             wk.Rolling(wk.Foundation(shape, medium), FRICTION, wk.Creepage(1e-3), load)
     bed = wk.Foundation(shape, coating(10.0, 0.01))

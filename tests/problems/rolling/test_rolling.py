@@ -204,7 +204,7 @@ class TestProfiles:
         notes = Rolling(ball(0.25, Cone(half_angle=1.5)), FRICTION, Creepage(1e-3), Radius(0.01)).solve().validity
         assert any("not Hertzian" in note.statement for note in notes)
         notes = Rolling(ball(), FRICTION, Creepage(1e-3), Radius(0.01)).solve().validity
-        assert any("0.04 of mu F_N" in note.statement for note in notes)
+        assert any("0.04 mu F_N" in note.statement for note in notes)
         notes = Rolling(ball(), FRICTION, Creepage(1e-3, 1e-3), Radius(0.01), Uncalibrated()).solve().validity
         assert any(note.standing is Standing.OUTSIDE and "49 %" in note.statement for note in notes)
         assert any("keeps the direction" in note.statement for note in notes)

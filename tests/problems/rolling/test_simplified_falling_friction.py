@@ -168,11 +168,11 @@ def test_the_note_states_what_is_left_out():
     shear, peak = 210e9 / (2.0 * 1.28), 2.0 * NORMAL / (math.pi * 6e-3 * 5e-3)
     softest = 8.0 / (3.0 * min(done.coefficients.longitudinal, done.coefficients.lateral) * shear)
     change = 2.0 * 10.0 * softest * peak * (STATIC - KINETIC) / VELOCITY * math.exp(-10.0 * 1e-3 / VELOCITY)
-    (note,) = (note for note in done.validity if "Friction falls" in note.statement)
-    assert f"by about {100.0 * change:.2g} per cent at most" in note.statement
+    (note,) = (note for note in done.validity if "Friction depends on the slip velocity" in note.statement)
+    assert f"by at most about {100.0 * change:.2g} per cent" in note.statement
     assert note.standing is Standing.APPROXIMATE
     steep = rolling(wk.FallingFriction(STATIC, KINETIC, 0.01), wk.Creepage(longitudinal=1e-4), 10.0)
-    (note,) = (note for note in steep.validity if "Friction falls" in note.statement)
+    (note,) = (note for note in steep.validity if "Friction depends on the slip velocity" in note.statement)
     assert note.standing is Standing.OUTSIDE
 
 

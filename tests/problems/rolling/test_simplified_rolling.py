@@ -201,9 +201,9 @@ class TestMoment:
         solution = rolling(Creepage(0.0, [small, 0.0], [0.0, small / a]), a=a, b=b).solve()
         lateral, spin = np.array(solution.moment) / (a * b * small * np.array([-math.sqrt(a * b), b]))
         (sentence,) = (
-            note.statement for note in solution.validity if "under lateral creepage begins" in note.statement
+            note.statement for note in solution.validity if "slope of the moment under lateral" in note.statement
         )
-        stated = float(re.search(r"begins at (\S+) per cent", sentence)[1]) / 100.0
+        stated = float(re.search(r"creepage is (\S+) per cent", sentence)[1]) / 100.0
         assert lateral / float(known["C32"]) == pytest.approx(stated, abs=0.02)
         assert -0.28 < spin / float(known["C33"]) - 1.0 < 0.07
 
@@ -352,7 +352,7 @@ class TestRefused:
 
     def test_media(self):
         coated = CoatedHalfSpace([Layer(Elastic(1e9, 0.3), 1e-3)], Elastic(2e9, 0.3))
-        with pytest.raises(InvalidInput, match="on layers and gradings a contact is no ellipse"):
+        with pytest.raises(InvalidInput, match="on layers and graded bodies the contact is not Hertz' ellipse"):
             dataclasses.replace(rolling(Creepage(1e-3)), medium=coated)
 
     @pytest.mark.parametrize("axis", [0.0, -1.0, math.inf, math.nan, "wide"])
@@ -364,9 +364,9 @@ class TestRefused:
 
     def test_notes_state_its_accuracy(self):
         straight, spun = (rolling(Creepage(1e-3, spin=spin)).solve().validity for spin in (0.0, 1.0))
-        assert any("stays within 0.05 of mu F_N" in note.statement for note in straight)
+        assert any("the force differs by at most 0.05 mu F_N" in note.statement for note in straight)
         assert len(spun) == len(straight) + 1
-        assert any("stays within 0.19 of mu F_N" in note.statement for note in spun)
+        assert any("the force differs by at most 0.19 mu F_N" in note.statement for note in spun)
 
     @pytest.mark.parametrize(("force", "standing"), [(1e-6, "asymptotic"), (1e-2, "approximate"), (5.0, "outside")])
     def test_notes_state_whether_the_bodies_are_large(self, force, standing):
@@ -374,4 +374,4 @@ class TestRefused:
         notes = [note for note in problem.solve().validity if "semi-axes" in note.statement]
         assert [note.standing.value for note in notes] == [standing]
         given = rolling(Creepage(1e-3)).solve().validity
-        assert any("The ellipse was given" in note.statement for note in given)
+        assert any("The contact ellipse was given" in note.statement for note in given)

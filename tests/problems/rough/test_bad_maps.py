@@ -44,19 +44,19 @@ def test_heights_in_a_wrong_unit():
 
 def test_a_map_that_is_not_periodic():
     part = wk.Topography(ROUGH.heights[:40, :], [0.625e-3, 1e-3], periodic=True)
-    assert standings(pressed(part, wk.Force(3.0)), "heights leap at its border") == [Standing.OUTSIDE]
-    assert standings(pressed(ROUGH, wk.Force(3.0)), "heights leap") == []
+    assert standings(pressed(part, wk.Force(3.0)), "heights at its border jump") == [Standing.OUTSIDE]
+    assert standings(pressed(ROUGH, wk.Force(3.0)), "heights at its border jump") == []
     tilted = wk.Topography(BALL + 1e-2 * PLACE[:, None], [1e-3, 1e-3], periodic=True)
     sticky = wk.SurfaceAdhesion(
         tilted, wk.HalfSpace(wk.Elastic(1e6, 0.5)), wk.ExponentialAttraction(0.05, 5e-6), wk.Depth([-1e-5])
     ).solve()
-    assert standings(sticky, "heights leap at its border") == [Standing.OUTSIDE]
+    assert standings(sticky, "heights at its border jump") == [Standing.OUTSIDE]
 
 
 def test_a_map_too_small_for_its_load():
     """A ball whose contact would be wider than its map."""
     ball = wk.Topography(BALL, [1e-3, 1e-3])
-    words = "the map is too small for this load, take a larger one"
+    words = "it is too small for this load: use a larger map"
     assert standings(pressed(ball, wk.Depth(1e-6)), words) == []
     assert standings(pressed(ball, wk.Depth(10e-6)), words) == [Standing.APPROXIMATE]
 
@@ -86,6 +86,6 @@ filled = true
     (point,) = run(parse_study(text)).solved
     said = [note.statement for note in point.solution.validity]
     assert any(
-        line.startswith("Taken out of the measured heights, and bridged: 1 of 4096 pixels stand out") for line in said
+        line.startswith("Removed from the measured heights, and bridged: 1 of 4096 pixels stand out") for line in said
     )
     assert any("a tip of 0.02 m has rounded the map" in line for line in said)

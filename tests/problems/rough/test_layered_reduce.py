@@ -31,7 +31,7 @@ def test_springs_of_a_ball_are_those_of_its_medium(medium):
     found = wk.Indentation(reduced.bed, DEPTHS).solve()
     assert found.force == pytest.approx(own.force, abs=reduced.misfit * own.force[-1] + 1e-3 * own.force[-1])
     assert found.stiffness == pytest.approx(own.stiffness, rel=2e-2)
-    assert found.radius == pytest.approx(own.radius, rel=2e-2)  # of discs as stiff on the same layers
+    assert found.radius == pytest.approx(own.radius, rel=2e-2)  # of discs with the same stiffness on the same layers
 
 
 @pytest.mark.parametrize("exponent", [-0.4, 0.3, 0.9])
@@ -74,11 +74,11 @@ def test_springs_on_layers_conduct_nothing_and_fit_no_other_body():
     reduced = Reduction(ball(51), STIFF, 0.04, tolerance=0.01).solve()
     assert not reduced.bed.homogeneous
     copper = wk.ElectricalConductor(1.7e-8)
-    with pytest.raises(OutsideValidity, match="on layers do not tell what it conducts"):
+    with pytest.raises(OutsideValidity, match="on layers do not determine its conductance"):
         wk.Constriction(wk.Indentation(reduced.bed, wk.Depth(0.02)), wk.ElectricalConductors(copper, copper)).solve()
     with pytest.raises(InvalidInput, match="whose layers no other medium has"):
         reduced.on(wk.HalfSpace(wk.Elastic(1.0, 0.3)))
-    assert "discs as stiff on the same layers" in " ".join(str(note) for note in reduced.validity)
+    assert "discs with the same stiffness on the same layers" in " ".join(str(note) for note in reduced.validity)
     bed = wk.ReducedBed(ball(51), STIFF, 0.04, 0.01)
     assert wk.Indentation(bed, wk.Depth(0.02)).solve().force > 0.0
 

@@ -190,5 +190,5 @@ def test_a_height_map_is_pressed_into_rubber(reduced):
 
 def test_what_the_springs_leave_out_is_stated(reduced):
     message = " ".join(note.statement for note in reduced[0].validity)
-    assert "Between them forces err by at most" in message
-    assert "the true body and its pressure are not known" in message
+    assert "Between these solutions the force error is at most" in message
+    assert "The true body and its pressure are not known" in message

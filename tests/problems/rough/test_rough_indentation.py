@@ -102,7 +102,7 @@ def test_what_is_not_known_is_stated():
     result = RoughIndentation(FINE, BALL, 0.2, Force(1e-5), realisations=2, count=64).solve()
     statements = [note.statement for note in result.validity]
     assert any("longer than the line" in sentences for sentences in statements)
-    assert any("area given here is Persson's" in sentences for sentences in statements)
+    assert any("area stated here is Persson's" in sentences for sentences in statements)
     assert all(note.standing is not Standing.OUTSIDE for note in result.validity)
 
 

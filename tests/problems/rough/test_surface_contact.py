@@ -229,7 +229,7 @@ def test_few_pixels_and_steep_heights_are_noted():
     few = SurfaceContact(ball(), STEEL, Force(1.0)).solve()
     message = next(note for note in few.validity if "pixels wide" in note.statement)
     assert message.standing is Standing.APPROXIMATE
-    assert f"known to about {100.0 * few.area_error / few.area:.2g} per cent" in message.statement
+    assert f"an error of about {100.0 * few.area_error / few.area:.2g} per cent" in message.statement
     fewer = SurfaceContact(ball(), STEEL, Force(1e-4)).solve()
     assert next(note for note in fewer.validity if "pixels wide" in note.statement).standing is Standing.OUTSIDE
     steep = SurfaceContact(Topography(10.0 * ball().heights, [SIDE, SIDE]), STEEL, Force(1.0)).solve()
@@ -258,7 +258,7 @@ def test_a_periodic_surface_closes():
     contact = SurfaceContact(ROUGH, STEEL, Force(loads)).solve()
     assert np.all(np.diff(contact.mean_gap) < 0.0)
     assert contact.mean_gap + contact.depth == pytest.approx(np.full(3, np.mean(ROUGH.gaps)), rel=1e-9)
-    assert "repeated for ever" in " ".join(note.statement for note in contact.validity)
+    assert "repeats without end" in " ".join(note.statement for note in contact.validity)
     closed = SurfaceContact(ROUGH, STEEL, Force(1e7)).solve()
     assert closed.stiffness == math.inf
     assert closed.area == pytest.approx(ROUGH.area, rel=1e-12)
@@ -271,7 +271,7 @@ def test_hardness_is_not_exceeded():
     assert soft.last.pressure.max() > 1.2e9
     assert hard.last.pressure.max() <= 1e9 * (1.0 + 1e-12)
     assert hard.area > soft.area
-    assert "cut at the hardness" in " ".join(note.statement for note in hard.validity)
+    assert "limited to the hardness" in " ".join(note.statement for note in hard.validity)
 
 
 def test_steps_are_the_solution():

@@ -128,7 +128,7 @@ def test_refused():
         wk.ContactStress(wk.Indentation(ball, wk.Force([1.0, 2.0]))).solve()
     zinc = wk.TransverselyIsotropic(161e9, 34.2e9, 50.1e9, 61e9, 38.3e9)
     for medium, reason in (
-        (wk.TransverselyIsotropicHalfSpace(zinc), "TransverselyIsotropicHalfSpace; .* give a HalfSpace"),
+        (wk.TransverselyIsotropicHalfSpace(zinc), "TransverselyIsotropicHalfSpace; .* Give a HalfSpace"),
         (
             wk.StackedHalfSpace([wk.StackLayer(zinc, 1e-6)], on=wk.Elastic(1e9, 0.3)),
             "transversely isotropic; .* give layers",

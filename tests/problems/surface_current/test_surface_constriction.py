@@ -233,7 +233,7 @@ def test_a_current_that_softens_does():
     assert again.max_temperature[1] == pytest.approx(373.0, rel=1e-9)
     assert again.voltage[1] == pytest.approx(found.softening_voltage[1], rel=1e-9)
     assert again.resistance[1] > again.cold_resistance[1]
-    assert any("mean of their temperature coefficients" in note.statement for note in found.validity)
+    assert any("mean of both temperature coefficients" in note.statement for note in found.validity)
 
 
 def test_a_rough_rivet_in_spots():

@@ -297,7 +297,10 @@ def test_a_step_that_friction_does_not_bear_is_refused_and_what_came_before_stan
         (wk.ViscoelasticHalfSpace(solid(), elastic(1.0)), "each by a function of its own"),
         (wk.ViscoelasticHalfSpace(solid(), wk.StandardSolid(1.0, 1.0, 2.0)), "each by a function of its own"),
         (wk.ViscoelasticHalfSpace(wk.KelvinVoigt(1.0, 1.0)), "a dashpot alongside"),
-        (wk.ViscoelasticCoatedHalfSpace([wk.ViscoelasticLayer(solid(), 0.1)], on=elastic(1.0)), "law of its own"),
+        (
+            wk.ViscoelasticCoatedHalfSpace([wk.ViscoelasticLayer(solid(), 0.1)], on=elastic(1.0)),
+            "own relaxation function",
+        ),
     ],
 )
 def test_bodies_of_more_than_one_course_are_refused(medium, reason):
@@ -308,12 +311,12 @@ def test_bodies_of_more_than_one_course_are_refused(medium, reason):
 def test_what_is_said_of_it():
     problem = wk.SurfaceTangential(map_of(17), PAIR, wk.Coulomb(MU), cycle(4))
     found = problem.gathered(list(problem.steps())[:6])
-    steady = [note for note in found.validity if "one function of time" in note.statement]
+    steady = [note for note in found.validity if "one common relaxation function" in note.statement]
     assert [note.standing for note in steady] == [Standing.ASYMPTOTIC]
     assert worst(found.validity) in (Standing.ASYMPTOTIC, Standing.APPROXIMATE)
     assert {note.assumption for note in found.validity} <= wk.SurfaceTangential.assumptions
     assert Assumption.KNOWN_TIMES in wk.SurfaceTangential.assumptions
-    with pytest.raises(wk.OutsideValidity, match="on bodies that relax"):
+    with pytest.raises(wk.OutsideValidity, match="on viscoelastic bodies"):
         found.stresses([0.0], [0.0], [0.01])
 
 

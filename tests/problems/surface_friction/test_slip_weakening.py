@@ -212,7 +212,7 @@ SHARP, GENTLE = (wk.LinearSlipWeakening(STATIC, KINETIC, part * FAR) for part in
         (
             GENTLE,
             wk.ShearForce(0.98 * STATIC * FORCE * np.array([0.0, 0.7, 0.9, 1.0])),
-            "a shear force of .* N is prescribed where friction bears less than",
+            "a shear force of .* N is prescribed, but the friction limit is",
         ),
     ],
 )

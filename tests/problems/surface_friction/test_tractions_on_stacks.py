@@ -31,5 +31,7 @@ def test_bonded_stacks_are_sheared_as_what_they_are_made_of(periodic):
 
 def test_a_layer_that_slides_bears_no_tractions():
     slides = wk.StackedHalfSpace([wk.Layer(STIFF, 0.1), wk.StackLayer(WEAVE, 0.3, False)], on=WEAVE)
-    with pytest.raises(wk.OutsideValidity, match="The layer of a StackedHalfSpace that slides bears no tractions"):
+    with pytest.raises(
+        wk.OutsideValidity, match="The layer of a StackedHalfSpace that slides carries no tangential tractions"
+    ):
         compliance_of(slides)

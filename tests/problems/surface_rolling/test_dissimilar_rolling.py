@@ -221,7 +221,7 @@ def test_what_is_said_of_the_coupling(monkeypatch):
     _, shape = ball(medium, 1e-6, 1.0, 24)
     problem = wk.SurfaceRolling(shape, medium, wk.Force(1e-6), wk.Coulomb(0.3), wk.Creepage(1e-3))
     (note,) = (note for note in problem.solve().validity if note.assumption is wk.Assumption.UNCOUPLED)
-    assert "both are solved together" in note.statement
+    assert "both effects are included" in note.statement
     monkeypatch.setattr(by_turns, "MOST_TURNS", 1)
     with pytest.raises(NotConverged, match="pressures and tractions of dissimilar bodies still miss each other"):
         problem.solve()

@@ -150,7 +150,7 @@ def test_from_rest_under_a_moment():
 
 @pytest.mark.parametrize(("drive", "error", "sentence"), [
     (wk.CreepForce(MU * NORMAL), OutsideValidity,
-     r"under the force \(.*, 0\) N with a spin of 0 1/m, a shear force of .* is prescribed where friction bears less"),
+     r"under the force \(.*, 0\) N with a spin of 0 1/m, a shear force of .* is prescribed, but the friction limit is"),
     (wk.CreepForce([0.0, 0.8 * MU * NORMAL], 0.8 * MU * NORMAL), OutsideValidity, "would slide away; give a smaller"),
     (wk.CreepForce(0.0, 0.0, wk.Torque(MU * NORMAL)), OutsideValidity, "would turn away; give a smaller one"),
 ])  # fmt: skip

@@ -28,7 +28,7 @@ def test_layers_of_the_same_solid_roll_as_a_half_space():
         found = rolled(medium)
         for name in ("longitudinal_force", "lateral_force", "moment", "stick_share", "depth"):
             assert getattr(found, name) == pytest.approx(getattr(want, name), rel=rel, abs=1e-6), name
-    assert any("Tractions along layers also displace their surface" in note.statement for note in found.validity)
+    assert any("Tangential tractions on layers also displace the surface" in note.statement for note in found.validity)
     with pytest.raises(wk.OutsideValidity, match="the stress below the surface of a height map"):
         found.stresses(0.0, 0.0, 1e-4)
 
@@ -72,7 +72,7 @@ def test_what_is_refused():
     slides = wk.SlidingFilm([wk.Layer(STEEL, 1e-6)], on=STEEL)
     gibson = wk.GradedHalfSpace.between(wk.PowerLawGraded(210e9, 1e-3, 1.0, 0.5))
     for medium, why in (
-        (slides, "of a SlidingFilm that slides bears no tractions"),
+        (slides, "of a SlidingFilm that slides carries no tangential tractions"),
         (gibson, "no tangential stiffness"),
     ):
         with pytest.raises(wk.OutsideValidity, match=why):

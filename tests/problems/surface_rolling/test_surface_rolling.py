@@ -225,7 +225,7 @@ def test_from_rest_to_rolling_with_creepage_and_spin():
 def test_a_start_that_would_slide_away():
     ball = wk.SampledProfile([2.5, 2.5], wk.Paraboloid(RADIUS), (24, 24))
     stated = (ball, pair(0.3), wk.Force(1e-2), wk.Coulomb(MU))
-    with pytest.raises(OutsideValidity, match="a shear force of 0.003 N is prescribed where friction"):
+    with pytest.raises(OutsideValidity, match="a shear force of 0.003 N is prescribed, but the friction limit"):
         wk.SurfaceRollingStart(*stated, wk.ShearForce(3e-3), distance=1.0).solve()
     with pytest.raises(InvalidInput, match="one CreepForce, or one Creepage"):
         wk.SurfaceRollingStart(*stated, wk.Creepage([1e-3, 2e-3]), distance=1.0)
@@ -245,6 +245,6 @@ def test_creepages_that_are_not_small_are_noted(creepage, standing):
     stated = wk.SurfaceRolling(rough, pair(0.3), wk.Force(1e-2), wk.Coulomb(MU), creepage)
     begun = wk.SurfaceRollingStart(rough, pair(0.3), wk.Force(1e-2), wk.Coulomb(MU), creepage, distance=0.1)
     for solution in (stated.solve(), begun.solve()):
-        (note,) = (note for note in solution.validity if "creepages as small against one" in note.statement)
+        (note,) = (note for note in solution.validity if "creepages small compared with one" in note.statement)
         assert note.standing is standing
-        assert ("takes them below 10 per cent" in note.statement) == (standing is wk.Standing.OUTSIDE)
+        assert ("its limit is 10 per cent" in note.statement) == (standing is wk.Standing.OUTSIDE)

@@ -194,7 +194,7 @@ def test_work_is_stored_or_lost_and_the_notes_state_what_is_assumed():
     assert np.max(np.abs(left)) < 2e-3 * np.max(found.work)
     assert found.dissipation[-1] > 0.1 * np.max(found.work)
     notes = [note.statement for note in found.validity]
-    assert any("Liquid passes the surface freely" in note for note in notes)
+    assert any("Liquid passes freely through the surface" in note for note in notes)
     state = list(found.problem.steps())[2]
     assert state.pressure([0.0])[0] > 0.0
     with pytest.raises(OutsideValidity, match="on a PoroelasticFilm the pressure is restored alone"):
@@ -232,7 +232,7 @@ def test_what_does_not_fit_is_refused():
     ):
         with pytest.raises(InvalidInput, match=f"PoroelasticFilm: {next(iter(wrong))}"):
             wk.PoroelasticFilm(**{"shear": 1e3, "poisson": 0.3, "diffusivity": 1e-9, "thickness": 1e-4, **wrong})
-    with pytest.raises(InvalidInput, match="the liquid leaves the film the later"):
+    with pytest.raises(InvalidInput, match="the liquid leaves the film more slowly"):
         wk.FrictionDamping(bed(FILM), wk.Coulomb(0.3), wk.Depth(1e-3), wk.Shift(1e-6), frequency=1.0)
     with pytest.raises(InvalidInput, match="a PoroelasticFilm needs Foundation"):
         wk.CreepTest(wk.PlaneFoundation(BALL, FILM), 1.0, [1.0])

@@ -243,7 +243,7 @@ BAD = {
     "rings": (lambda: damped(ball(STANDARD), frequency=1.0, method=wk.Method.RINGS), "the method rings"),
     "layers by laws of their own": (
         lambda: damped(ball(STANDARD).with_medium(LAYERS), frequency=1.0),
-        "no single function of time",
+        "one relaxation function for all springs",
     ),
 }
 

@@ -121,7 +121,7 @@ def test_nothing_is_nothing():
 
 @pytest.mark.parametrize(
     ("second", "z", "message"),
-    [(wk.Rigid(), -0.1, "rigid"), (StandardSolid(1.0, 1.0, 0.1), 0.1, "function of its own")],
+    [(wk.Rigid(), -0.1, "rigid"), (StandardSolid(1.0, 1.0, 0.1), 0.1, "different relaxation functions")],
 )
 def test_what_is_not_known(second, z, message):
     state = last(ViscoelasticHalfSpace(SOFT, second), [0.0, 1.0], [0.0, 0.01], count=20)

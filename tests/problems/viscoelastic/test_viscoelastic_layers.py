@@ -1,4 +1,4 @@
-"""Coatings that relax each by a law of its own: against elastic stacks, Ting, and an own march on rings."""
+"""Coatings that has its own relaxation function: against elastic stacks, Ting, and an own march on rings."""
 
 from __future__ import annotations
 
@@ -195,7 +195,7 @@ def test_what_is_refused():
         with pytest.raises(InvalidInput, match=why):
             ViscoelasticCoatedHalfSpace([ViscoelasticLayer(solid, 0.1)], on=BASE)
     coated = bed(ViscoelasticCoatedHalfSpace([layer], on=BASE))
-    with pytest.raises(InvalidInput, match="relax each by a law of its own"):
+    with pytest.raises(InvalidInput, match="has its own relaxation function"):
         wk.FrictionDamping(coated, wk.Coulomb(0.3), wk.Depth(1e-3), wk.Shift(1e-6), frequency=1.0)
     with pytest.raises(InvalidInput, match="body of revolution"):
         CreepTest(wk.PlaneFoundation(BALL, COATED), 1.0, [1.0])

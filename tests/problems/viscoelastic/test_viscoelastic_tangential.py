@@ -242,7 +242,7 @@ FILM = wk.ViscoelasticCoatedHalfSpace([wk.ViscoelasticLayer(STANDARD, 0.1)], wk.
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        ({"bed": wk.Foundation(wk.Paraboloid(1.0), FILM)}, "no single"),
+        ({"bed": wk.Foundation(wk.Paraboloid(1.0), FILM)}, "one relaxation function"),
         ({"law": StaticKinetic(0.5, 0.3)}, "StaticKinetic"),
         ({"path": Depth(1.0)}, "path is a Depth"),
         ({"path": Path([0.0, 1.0], Depth(0.01), Angle(0.1))}, "prescribes a Angle"),

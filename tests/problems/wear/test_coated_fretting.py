@@ -87,7 +87,7 @@ def test_a_core_that_shrinks_ends_where_it_sticks_as_it_bears_alone():
 @pytest.mark.slow
 def test_a_core_that_grows_ends_between_the_stated_radii():
     limit = limiting(HARD)
-    (note,) = (note for note in limit.validity if "kernels of the layers the stick zone" in note.statement)
+    (note,) = (note for note in limit.validity if "the half-width of the stick zone before wear is" in note.statement)
     assert note.standing is wk.Standing.APPROXIMATE
     worn = fretting(HARD, cycles=np.array([0.0, 2e7])).solve()
     assert limit.stick_radius < worn.stick_radius[1] < 4.2e-5
@@ -105,7 +105,7 @@ def test_which_body_wears():
     assert (layer.second_volume[0], other.first_volume[0]) == (0.0, 0.0)
     assert layer.first_volume[0] == pytest.approx(other.second_volume[0], rel=1e-12)
     assert pair.first_volume[0] == pytest.approx(0.5 * other.worn_volume[0], rel=1e-6)
-    assert any("loses up to" in note.statement for note in pair.validity)
+    assert any("wear of the uppermost layer is" in note.statement for note in pair.validity)
     thin = stack(wk.Elastic(420e9, 0.25), 4e-6, STEEL)
     with pytest.raises(wk.OutsideValidity, match=r"within .* cycles more than 5 per cent"):
         fretting(thin, layer_wears=True, cycles=np.array([1e7]), count=20).solve()
@@ -123,7 +123,7 @@ def test_a_shear_force_finds_its_shift_on_layers():
 
 
 def test_layers_that_slide_are_refused():
-    with pytest.raises(wk.OutsideValidity, match="slides on what lies below"):
+    with pytest.raises(wk.OutsideValidity, match="slides on its base"):
         fretting(wk.SlidingFilm([wk.Layer(STEEL, 1e-6)], on=STEEL))
 
 

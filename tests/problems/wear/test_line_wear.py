@@ -194,7 +194,7 @@ def test_that_jumps_and_edges_are_coarse_is_stated():
 
 def test_nothing_is_said_of_histories_that_are_not_followed():
     words = " ".join(note.statement for note in limiting().validity)
-    assert "every history" not in words
+    assert "Every history" not in words
     assert "for a worn profile too" in words
 
 
@@ -342,5 +342,5 @@ def test_how_well_a_grid_resolves_a_small_swing_is_stated(part, count, standing)
     error = run.dissipation_per_length[0] / loss - 1.0
     (note,) = (note for note in run.validity if "In a cycle before wear" in note.statement)
     more = "more" if error > 0.0 else "less"
-    assert f"the grid loses {100.0 * abs(error):.2g} per cent {more} than" in note.statement
+    assert f"the grid dissipates {100.0 * abs(error):.2g} per cent {more} than" in note.statement
     assert note.standing is standing

@@ -246,7 +246,7 @@ def test_sliding_wears_off_rate_times_force_times_distance():
 
 @pytest.mark.parametrize("problem", [lambda bed: fretting(bed, 1.0, 0.1, [1.0]), lambda bed: limiting(bed, 1.0, 0.1)])
 def test_layers_that_slide_on_one_another_bear_no_fretting(problem):
-    with pytest.raises(wk.OutsideValidity, match="slides on what lies below it and bears no shear"):
+    with pytest.raises(wk.OutsideValidity, match="slides on its base and carries no shear"):
         problem(wk.LayeredLineFoundation(CYLINDER, wk.SlidingFilm([wk.Layer(solid(), 1.0)], solid(0.2))))
 
 
@@ -274,7 +274,7 @@ def test_which_body_wears_and_how_much_of_a_layer_may():
     assert other.states[-1].first_worn.max() == 0.0
     assert own.states[-1].second_worn.max() == 0.0
     np.testing.assert_allclose(own.worn_volume_per_length, other.worn_volume_per_length, rtol=1e-12)
-    (thinned,) = (note for note in own.validity if "were it thinner" in note.statement)
+    (thinned,) = (note for note in own.validity if "If the layer were thinner" in note.statement)
     assert "stiffer" not in thinned.statement.split("contact would be")[1]  # a soft base comes nearer
     with pytest.raises(wk.OutsideValidity, match="per cent of the uppermost layer"):
         sliding(bed, load, [0.0, 10.0], layer_wears=True).solve()

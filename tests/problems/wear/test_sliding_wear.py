@@ -60,7 +60,7 @@ def test_a_ball_wears_to_a_cap():
 def test_the_pressure_beside_the_edge_is_stated():
     before, after = worn(np.array([0.0, 1e-30]), count=20), worn(np.array([0.0, 1e-3]), count=20)
     last = after.states[-1]
-    share = f"{np.max(last.pressure) * math.pi * last.radius**2 / last.force:.3g} of the mean. A node that the edge"
+    share = f"{np.max(last.pressure) * math.pi * last.radius**2 / last.force:.3g} of the mean. A node at the edge"
     assert any(share in note.statement for note in after.validity)
     assert not any("of the mean" in note.statement for note in before.validity)
 

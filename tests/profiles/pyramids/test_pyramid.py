@@ -221,7 +221,7 @@ def test_a_pyramid_on_a_film_states_its_error():
     assert "+0.00%" in " ".join(note.statement for note in thick.validity)
     graded = wk.GradedHalfSpace(wk.PowerLawGraded(1e9, 1e-3, 0.2, 0.3))
     notes = " ".join(note.statement for note in pressed(tip, 1e-7, graded).validity)
-    assert "wrong on this body is not known" in notes
+    assert "On this body its error is not known" in notes
 
 
 @pytest.mark.parametrize("sides", [2, 9, 4.0, "4", True])

@@ -142,7 +142,7 @@ def test_contacts_are_told_what_was_taken_out():
     clean = Topography(heights, [1.0, 1.0]).without_spikes().filled()
     assert clean.missing == 0
     (note,) = map_notes(clean)
-    assert note.statement.startswith("Taken out of the measured heights, and bridged: 6")
+    assert note.statement.startswith("Removed from the measured heights, and bridged: 6")
     assert "of grains and dropouts" in note.statement
     assert "of scars" in note.statement
     untouched = hills(0.05, 0.05, 0.0)
@@ -157,5 +157,5 @@ def test_a_part_of_a_surface_is_not_periodic():
     part = Topography(whole.heights[:90, :], [90 / 256, 1.0], periodic=True)
     (note,) = map_notes(part)
     assert note.standing is Standing.OUTSIDE
-    assert note.statement.endswith("what is repeated has a cliff there; leave periodic out.")
+    assert note.statement.endswith("The periodic continuation has a cliff there: leave periodic out.")
     assert map_notes(Topography(part.heights, part.lengths)) == ()

@@ -358,7 +358,7 @@ def test_scan_lines_are_levelled(along):
     found = levelled("differences", added * [1.0, 0.0, 0.0], shared)
     np.testing.assert_allclose(np.ptp(lines_of(found)[4:] - shared[4:]), 0.0, atol=1e-12)
     assert found.removed == (f"of each scan line along {along} the median of its differences from the line before")
-    assert any(note.statement == f"Taken out of the measured heights: {found.removed}." for note in map_notes(found))
+    assert any(note.statement == f"Removed from the measured heights: {found.removed}." for note in map_notes(found))
 
 
 def test_lines_that_share_no_point_are_levelled_by_an_earlier_one():

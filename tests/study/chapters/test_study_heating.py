@@ -46,7 +46,7 @@ def test_many_speeds_in_one_study():
         columns["first_mean_temperature"].content, columns["second_mean_temperature"].content, rtol=1e-12
     )
     assert {"heat_rate", "radius", "first_share", "first_peclet", "overestimate"} <= set(columns)
-    assert "not those at every point" in " ".join(note.statement for note in outcome.validity)
+    assert "not the temperatures at every point" in " ".join(note.statement for note in outcome.validity)
 
 
 @pytest.mark.parametrize("kind", ["friction_heating", "transient_heating", "fretting_heat"])

@@ -116,7 +116,7 @@ def test_springs_that_are_calibrated_are_not_to_be_calibrated():
     steel = wk.HalfSpace.between(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3))
     ball = wk.Foundation(wk.Paraboloid(RADIUS), steel)
     doubt = worst_doubt(wk.Kalker().notes(ball, 1e-4))
-    assert "is calibrated by Kalker's coefficients" in doubt.statement
+    assert "is calibrated with Kalker's coefficients" in doubt.statement
     assert doubt.advice == "What to do: allow for this error, or solve the contact as surface_rolling."
     doubt = worst_doubt(wk.Uncalibrated().notes(ball, 1e-4))
     assert "not calibrated" in doubt.statement

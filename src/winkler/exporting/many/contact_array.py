@@ -39,25 +39,25 @@ TABLE_TOLERANCE = 1e-9
 class ContactArray(ContactStore):
     """Many contacts of one law in arrays, which `step` changes in place, on all cores.
 
-    The step of a contact is the kernel that `export` writes into other languages.  Unlike the values of winkler this
-    one changes: a step of ten million contacts leaves no copy of them.
+    A step uses the same kernel that `export` writes in other languages. In contrast to other winkler objects this one
+    is mutable: a step of ten million contacts makes no copy.
 
     Parameters
     ----------
     law
-        A problem that `export` takes: `Indentation`, `ContactLaw`, `Tangential`, `AdhesiveCycle`,
+        A problem that `export` supports: `Indentation`, `ContactLaw`, `Tangential`, `AdhesiveCycle`,
         `ElasticPlasticParticle`, `ViscoelasticIndentation` or `Contacts`.  A list of problems of one form, or
         `Contacts` that differ, are several kinds of contacts.
     size : int, optional
         How many contacts there are.
     kind : ndarray, (n,), optional
-        Which law each contact has, from 0 on, where there are several; may be left out if there are as many laws.
+        Index of the law of each contact, from 0 on. Not needed if there is one law, or one for each contact.
     answers : tuple of str, optional
         Names of the numbers of `names` that are kept; all unless given.
     precision : str, optional
         Of the springs that a contact remembers: "double", or "single" in half the memory; all else is double.
     tolerance : float, optional
-        Error of a normal force that is given by a table, over the greatest force.
+        Error of a normal force that is given by a table, over the maximum force.
     count : int, optional
         How many springs a `Tangential` and a `ViscoelasticIndentation` have.
 
@@ -104,7 +104,7 @@ class ContactArray(ContactStore):
     ) -> None:
         """Move all contacts by one step, within which depth, motion, twist and roll change in proportion.
 
-        Nothing changes if something is refused.
+        If an error is raised, nothing has changed.
 
         Parameters
         ----------
@@ -117,13 +117,13 @@ class ContactArray(ContactStore):
         roll : ndarray, (n, 2) or (2,), optional
             By which they roll over each other [rad]; of `Contacts`.
         duration : float or ndarray, (n,), optional
-            Of the step [s], zero or at least 1e-60; needed by bodies that relax.  Zero is a sudden step; solids of
+            Of the step [s], zero or at least 1e-60; needed by viscoelastic bodies.  Zero is a sudden step; solids of
             springs and dashpots side by side, which no force moves suddenly, answer it with the force at rest.
 
         Raises
         ------
         InvalidInput
-            If a shape does not agree, a number is not finite, or the law does not take what is given.
+            If a shape does not agree, a number is not finite, or the law does not support an argument.
         OutsideValidity
             If a contact is pressed deeper than its law reaches; the message names it.
         """

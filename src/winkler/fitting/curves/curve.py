@@ -65,19 +65,20 @@ class ForceCurve:
     time : ndarray, (n,) or (0,), optional
         [s], never falling; empty (unless given) where it is unknown.
     direction : ndarray, (n,), optional
-        +1 where the tip goes in, -1 where it comes out, 0 where it is held.  Unless given, it follows from position
-        and force: turns, holds and partial unloadings.  `segments` shows the result, `with_segments` replaces it.
+        +1 while the tip moves in, -1 while it moves out, 0 during a hold period.  Unless given, it follows from
+        position and force: turns, holds and partial unloadings.  `segments` shows the result, `with_segments` replaces
+        it.
     name : str, optional
         Origin of the curve.
     marks : ndarray, (n,) or (0,), optional
-        What is stated of each point: 0 nothing, 1 out of contact, 2 pop-in, 3 snap-in, 4 pull-off; empty (unless
-        given): events are found.  `events` shows the result, `with_events` replaces it.
+        Event at each point: 0 none, 1 out of contact, 2 pop-in, 3 snap-in, 4 pull-off. If it is empty (default), events
+        are detected.  `events` shows the result, `with_events` replaces it.
     reading : str, optional
-        How its file was read: the instrument, which column was taken for what, its units, what the instrument had
-        subtracted, and where spring constant and sensitivity come from.
+        How the file was read: instrument, columns, units, corrections by the instrument, and the source of spring
+        constant and sensitivity.
     noise_spectrum : {"unknown", "white"}, optional
-        What is known of the noise: nothing (unless given), and intervals of fits allow for slow noise; or that it is
-        independent from point to point, as a recording out of contact may have shown, and they are narrower.
+        The noise: "unknown" (default), for which the intervals of fits allow for slow noise; or "white", independent
+        from point to point, with narrower intervals.
 
     Raises
     ------
@@ -225,8 +226,9 @@ class ForceCurve:
         Parameters
         ----------
         stated : sequence of (str, int, int)
-            "baseline", "pop-in", "snap-in" or "pull-off", and the indices of the first and the last point; empty:
-            nothing happened.  Without a baseline among them, the points out of contact are still found.
+            "baseline", "pop-in", "snap-in" or "pull-off", and the indices of the first and the last point. An empty
+            list states that there are no events.  Without a baseline among them, the points out of contact are still
+            found.
 
         Raises
         ------
@@ -257,7 +259,7 @@ class ForceCurve:
 
     @property
     def hold(self) -> ForceCurve:
-        """The points where the tip is held."""
+        """The points at constant tip position."""
         return self._part(0.0, "hold")
 
     @property
@@ -267,7 +269,7 @@ class ForceCurve:
 
     @property
     def parts(self) -> tuple[ForceCurve, ...]:
-        """The stretches of one direction, in the order in which they were measured; single points are left out."""
+        """The segments of one direction, in the order of measurement; single points are omitted."""
         turns = np.flatnonzero(np.diff(self.direction)) + 1
         stretches = np.split(np.arange(self.count), turns)
         return tuple(self.chosen(stretch) for stretch in stretches if stretch.size >= FEWEST)

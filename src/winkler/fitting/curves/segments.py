@@ -37,7 +37,7 @@ class Segment:
     Parameters
     ----------
     kind : SegmentKind
-        loading, hold, partial unloading, or last unloading: the last one from (nearly) the greatest force.  A hold
+        loading, hold, partial unloading, or last unloading: the last one from (nearly) the maximum force.  A hold
         within it does not end it, and what comes after that hold belongs to it.
     first, last : int
         Indices of its first and last point in the curve.

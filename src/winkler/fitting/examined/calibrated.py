@@ -37,7 +37,7 @@ SMALL_CHANGE = 1e-3
 
 @value
 class CalibrationShares:
-    """Errors of fitted numbers that come from the calibration.
+    """Contributions of the calibration to the errors of fitted parameters.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ class CalibrationShares:
         Parameters
         ----------
         found : FitEstimate
-            The fit, whose interval is that by noise.
+            The fit, with the interval due to noise.
         name : str
         confidence : float
             Between 0 and 1.
@@ -95,7 +95,7 @@ def calibration_shares(
     spring_constant: float = 0.0,
     frame_compliance: float = 0.0,
 ) -> CalibrationShares:
-    """Return what the errors of a calibration do to the fitted numbers.
+    """Return the contributions of a calibration to the errors of the fitted parameters.
 
     Parameters
     ----------

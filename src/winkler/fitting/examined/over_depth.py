@@ -46,16 +46,16 @@ LEAST_VARIANCE = 0.05
 
 @value
 class DepthSeries:
-    """A number over the greatest fitted depth; the last is the fit of the whole curve.
+    """A fitted parameter over the maximum fitted depth; the last value is that of the whole curve.
 
     Parameters
     ----------
     name : str
         The number.
     depths : ndarray, (m,)
-        Greatest fitted depths [m], rising.
+        Maximum fitted depths [m], rising.
     forces : ndarray, (m,)
-        Greatest fitted forces of the contact [N].
+        Maximum fitted forces of the contact [N].
     values : ndarray, (m,)
         The number, in SI units.
     standard_errors : ndarray, (m,)
@@ -100,7 +100,7 @@ class DepthSeries:
 
     @property
     def limits(self) -> Array:
-        """Greatest changes that a constant number may show ``(m - 1,)``."""
+        """Maximum changes that a constant number may show ``(m - 1,)``."""
         errors = self.standard_errors / self.values if self.logarithmic else self.standard_errors
         variances = np.maximum(errors[:-1] ** 2 - errors[-1] ** 2, LEAST_VARIANCE * errors[:-1] ** 2)
         confidence = 1.0 - (1.0 - CONFIDENCE) / max(variances.size, 1)
@@ -156,7 +156,7 @@ def over_depth(
     of : str, optional
         The number; the first free one of the model, unless given.
     count : int, optional
-        Number of depths, evenly spaced from a tenth of the greatest; 12 unless given.
+        Number of depths, evenly spaced from a tenth of the maximum; 12 unless given.
     noise : float or ndarray, optional
         As for `fit`.
     found : Fit, optional

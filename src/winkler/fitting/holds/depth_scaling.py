@@ -46,7 +46,7 @@ class HoldVerdict(enum.Enum):
 
 @value
 class DepthScaling:
-    """How the times of a relaxation grow with the contact radius.
+    """Growth of the relaxation times with the contact radius.
 
     Parameters
     ----------
@@ -59,9 +59,9 @@ class DepthScaling:
     error : float
         Its standard error [-].
     misfit : float
-        Weighted squares of what the power leaves of the shifts [-].
+        Weighted squares of the deviations of the shifts from the power law [-].
     freedom : float
-        Degrees of freedom with which the errors are known.
+        Degrees of freedom of the errors.
     verdict : str
         "poroelastic", "viscoelastic", "cannot tell" or "neither".
     """
@@ -102,7 +102,8 @@ def depth_scaling(holds: Sequence[HeldForce], *, vertical: bool = True) -> Depth
     holds : sequence of HeldForce
         Two or more, of one shape of indenter, with different contact radii: other depths, or other punches.
     vertical : bool, optional
-        Whether each hold has a free factor of its forces, so that an error of its depth does not speak for either.
+        Whether the forces of each hold have a free factor, so that an error of the depth does not favour either kind of
+        body.
 
     Raises
     ------

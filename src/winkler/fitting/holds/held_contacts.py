@@ -30,37 +30,37 @@ STEADY, GROWING = "0.01, which is 5 % of D", "0.03, which is 12 % of D"
 MEANINGS = {
     HoldVerdict.POROELASTIC: (
         Standing.ASYMPTOTIC,
-        "poroelastic: the times grow as the contact area, and a viscoelastic body is excluded",
+        "poroelastic: the times grow as the contact area; a viscoelastic body is excluded",
     ),
     HoldVerdict.VISCOELASTIC: (
         Standing.OUTSIDE,
-        "viscoelastic: the times do not grow with the contact, and a poroelastic body is excluded; the numbers of one "
-        "mean nothing here, so fit the curves with a body that relaxes",
+        "viscoelastic: the times do not grow with the contact, and a poroelastic body is excluded. The "
+        "poroelastic parameters are meaningless here, so fit the curves with a viscoelastic body",
     ),
     HoldVerdict.UNDECIDED: (
         Standing.APPROXIMATE,
-        "cannot tell: both kinds are possible, and the numbers are those of a poroelastic body, if it is one; add "
-        "holds with other contact radii",
+        "undecided: both kinds are possible, and the parameters apply only if the body is poroelastic; add holds "
+        "with other contact radii",
     ),
     HoldVerdict.NEITHER: (
         Standing.OUTSIDE,
-        "neither: the times grow with the contact, but not as its area, as of a body that does both; the numbers of a "
-        "poroelastic body mean nothing here",
+        "neither: the times grow with the contact, but not as its area, as for a body that is both. The "
+        "poroelastic parameters are meaningless here",
     ),
 }
 
 
 @value
 class HeldContacts:
-    """Forces of contacts that were pressed in at once and held, with two contact radii or more.
+    """Force relaxation of contacts at constant depth, with at least two contact radii.
 
     Parameters
     ----------
     holds : sequence of HeldForce
         Two or more, of one shape of indenter, with different contact radii.
     vertical : bool, optional
-        Whether each hold has a free factor of its forces when times are compared, so that an error of its depth does
-        not speak for either kind of body.
+        Whether the forces of each hold have a free factor when times are compared, so that an error of the depth does
+        not favour either kind of body.
 
     Raises
     ------
@@ -201,14 +201,14 @@ class HeldContactsSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """Which kind of body the holds tell, and what the numbers mean."""
+        """The kind of body that the holds indicate, and the meaning of the parameters."""
         low, high = self.scaling.interval()
         standing, meaning = MEANINGS[HoldVerdict(self.verdict)]
         kind = Note(
             Assumption.CURVE,
             standing,
             f"The times of {len(self.problem.holds)} holds grow with the power {self.exponent:.2f} of the contact "
-            f"radius (95 %: {low:.2f} to {high:.2f}), where a liquid has 2 and a viscoelastic body 0: {meaning}.",
+            f"radius (95 %: {low:.2f} to {high:.2f}); a poroelastic body has 2, a viscoelastic body 0: {meaning}.",
             SCALING,
         )
         ends = ", ".join(
@@ -220,13 +220,14 @@ class HeldContactsSolution:
             )
         )
         unsure = GROWING if shape_of(self.problem.holds[0].profile) != "flat" else STEADY
-        bound = "; Poisson's ratio is at an end of its range, and its interval means nothing" * self.body.at_bound
+        bound = "; Poisson's ratio is at an end of its range, and its interval is meaningless" * self.body.at_bound
         numbers = Note(
             Assumption.RESPONSE,
             Standing.APPROXIMATE,
-            f"Of a poroelastic body the intervals of 95 % are {ends}, from the scatter alone{bound}; beyond that the "
-            f"part of the force that relaxes is known to {unsure}. Biot's theory of an impermeable indenter on a body "
-            "that drains freely beside it, pressed in at once: leave out times shorter than that of pressing in.",
+            f"If the body is poroelastic, the 95 % intervals are {ends}, from the scatter alone{bound}. In "
+            f"addition the relaxing part of the force is known within {unsure}. Theory: Biot's, for an "
+            "impermeable indenter pressed in at once on a freely draining body. Leave out times shorter than the "
+            "loading time.",
             "dual integral equations at a constant contact radius",
         )
         return kind, numbers

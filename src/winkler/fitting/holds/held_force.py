@@ -21,14 +21,14 @@ FEWEST_ROWS = 8
 
 @value
 class HeldForce:
-    """A hold: the indenter, its depth, and the force over time.
+    """A hold period: the indenter, its depth, and the force over time.
 
     Parameters
     ----------
     profile : Paraboloid, Sphere, Cone or FlatPunch
         The indenter.
     depth : float
-        d [m] at which it was held, positive.
+        d [m], constant during the hold, positive.
     time : ndarray, (n,)
         Since the indenter reached the depth [s], positive, rising; leave out times shorter than that of pressing in.
     force : ndarray, (n,)

@@ -130,7 +130,9 @@ def fit_poroelastic(holds: Sequence[HeldForce]) -> PoroelasticFit:
     ]
     best = min(tried, key=lambda one: float(one.cost))
     if not best.success:
-        raise NotConverged("fit_poroelastic: the search does not settle; check that the forces relax, and their times.")
+        raise NotConverged(
+            "fit_poroelastic: the search does not converge; check that the forces relax, and their times."
+        )
     freedom = float(max(measured.size - 3, 1))
     squares = 2.0 * float(best.cost)
     covariance = squares / freedom * np.linalg.pinv(best.jac.T @ best.jac)

@@ -60,8 +60,8 @@ def layered_fit_notes(bed: Bed, names: tuple[str, ...], time: Array, depth: Arra
     if change > LARGE_CHANGE:
         standing = Standing.OUTSIDE
     statement = (
-        f"Cells: half as many of the {CELLS} along the radius change the forces by {change:.2g} of the greatest one; "
-        "at most about as much is left in the fitted forces."
+        f"Cells: half as many of the {CELLS} along the radius change the forces by {change:.2g} of the maximum "
+        "force; the fitted forces have about this error at most."
     )
     notes.append(Note(Assumption.RESOLUTION, standing, statement, HALF))
     return (*notes, *film_notes(bed, deepest, most, widest))

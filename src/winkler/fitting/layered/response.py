@@ -70,7 +70,7 @@ def relaxing_solid(bed: Bed) -> ViscoelasticSolid:
     assert isinstance(bed.medium, ViscoelasticCoatedHalfSpace)
     if not isinstance(bed, UnderProfile):
         raise InvalidInput(
-            "fit: layers that relax by laws of their own need Foundation(profile, medium) of a body of revolution."
+            "fit: layers with separate relaxation functions need Foundation(profile, medium) of a body of revolution."
         )
     solids = bed.medium.relaxing_solids
     if len(solids) > 1:

@@ -107,16 +107,16 @@ def _estimates(rows: Array, rest: Array, numbers: Array) -> list[Estimate]:
 
 @value
 class MeasuredConstriction:
-    """A contact whose resistance was measured over the force.
+    """A contact with measured resistance over the force.
 
     Parameters
     ----------
     bed : Bed
-        The springs: Foundation(profile, medium) or another bed whose contact area is known.
+        The foundation: Foundation(profile, medium) or another one with known contact area.
     log : ResistanceLog
         Forces and resistances.
     resistivity : float, optional
-        Mean resistivity of both bodies [ohm m], if it is known; zero (the default) if it is sought.
+        Mean resistivity of both bodies [ohm m]; zero (default) if it is to be fitted.
 
     Raises
     ------
@@ -186,8 +186,8 @@ class MeasuredConstriction:
         Raises
         ------
         OutsideValidity
-            If a force leads beyond the reach of the profile, the area of the contact is unknown, or it does not change
-            with the force.
+            If a force exceeds the reach of the profile, or the contact area is not known or does not change with the
+            force.
         """
         from scipy.optimize import least_squares, nnls
 
@@ -328,7 +328,7 @@ class MeasuredConstrictionSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """What the numbers rest on, and what speaks against them; then what the contact itself rests on."""
+        """Assumptions and doubts about the results; then the notes of the contact itself."""
         notes = [self._numbers()]
         turned = self.turned
         if turned is not None and abs(turned.value) > SURE * turned.error:
@@ -337,8 +337,9 @@ class MeasuredConstrictionSolution:
                 Note(
                     Assumption.ELASTIC,
                     Standing.OUTSIDE,
-                    f"Resistances lie {200 * abs(turned.value):.2g} % {word} while the force rises than while it falls"
-                    ": the bodies yielded, or the film broke; give the rows of one way alone.",
+                    f"Resistances are {200 * abs(turned.value):.2g} % {word} during loading than during "
+                    "unloading: the bodies yielded, or the film broke. Give the rows of loading or of unloading "
+                    "only.",
                     SOURCE,
                 )
             )
@@ -358,8 +359,9 @@ class MeasuredConstrictionSolution:
         return Note(
             Assumption.CONDUCTION,
             standing_of(self.scatter, SMALL_SCATTER, LARGE_SCATTER),
-            f"Intervals of 95 % are {', '.join(ends)}{rest}. The resistance falls with the power {self.exponent:.3f} ± "
-            f"{self.exponent_error:.2g} of the force, and scatters by {100 * self.scatter:.2g} %. One smooth contact "
-            "is assumed: of rough bodies many spots conduct, and the same law has other numbers.",
+            f"The 95 % intervals are {', '.join(ends)}{rest}. The resistance falls with the force to the power "
+            f"{self.exponent:.3f} ± {self.exponent_error:.2g}, with a scatter of {100 * self.scatter:.2g} %. One "
+            "smooth contact is assumed. Rough bodies conduct through many spots, for which the same law has "
+            "other constants.",
             SOURCE,
         )

@@ -38,12 +38,12 @@ def _none() -> Array:
 
 @value
 class FrictionLog:
-    """Displacement and shear force of a contact that is moved to and fro, many cycles in one log.
+    """Displacement and shear force of a contact over many cycles of oscillation.
 
     Parameters
     ----------
     displacement : ndarray, (n,)
-        Of the drive along the surface [m], whose frame may yield.
+        Tangential displacement of the drive [m], whose frame may deflect.
     shear_force : ndarray, (n,)
         By which the drive moves the contact [N]; of the other sign, it is turned round.
     normal_force : ndarray, (n,), optional
@@ -73,13 +73,13 @@ class FrictionLog:
             )
         if not self.cycles:
             raise InvalidInput(
-                f"FrictionLog: the displacement makes no whole cycle of {FEWEST_POINTS} points or more, to and fro and "
-                "to again; give a longer log, or more points a cycle."
+                f"FrictionLog: the displacement has no whole cycle of {FEWEST_POINTS} points or more; give a "
+                "longer log, or more points per cycle."
             )
 
     @functools.cached_property
     def cycles(self) -> tuple[Cycle, ...]:
-        """Of each whole cycle the points of least, greatest, and again least displacement."""
+        """Of each whole cycle the points of minimum, maximum, and again minimum displacement."""
         turns = _turns(self.displacement)
         lows = [place for place, is_low in turns if is_low]
         highs = [place for place, is_low in turns if not is_low]

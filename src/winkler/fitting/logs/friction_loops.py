@@ -67,7 +67,7 @@ class Loop(NamedTuple):
 
 @value
 class FrictionLoops:
-    """Loops of friction that were measured, and the contact that is taken to have made them.
+    """Measured friction loops and the contact that is assumed to have produced them.
 
     Parameters
     ----------
@@ -78,7 +78,7 @@ class FrictionLoops:
     log : FrictionLog
         Displacement and shear force.
     frame_compliance : float, optional
-        Of the machine between contact and sensor of the displacement [m/N], not negative; zero (the default) if the
+        Compliance of the machine between contact and displacement sensor [m/N], not negative. Zero (default) if the
         displacement was measured at the contact.
 
     Raises
@@ -128,7 +128,7 @@ class FrictionLoops:
         return _backbone(self.bed, self.normal)
 
     def solve(self) -> FrictionLoopsSolution:
-        """Return what the loops say of friction, stiffness, loss and slip.
+        """Return friction, stiffness, dissipated energy and slip from the loops.
 
         Returns
         -------
@@ -137,7 +137,7 @@ class FrictionLoops:
         Raises
         ------
         OutsideValidity
-            If the bodies do not touch, or the machine alone is softer than what was measured.
+            If the bodies do not touch, or the machine alone is more compliant than the measurement.
         NotConverged
             If no cycle can be fitted.
         """
@@ -298,7 +298,7 @@ class FrictionLoopsSolution:
     loss_per_cycle, loss_error : float
         Area of the loop [J].
     contact_stroke : float
-        Peak-to-peak displacement of one body along the other [m], elastic displacement of the contact included.
+        Peak-to-peak displacement of one body along the other [m], including the elastic displacement of the contact.
     misfit : float
         Residuals over the amplitude of the force [-], root of the mean square.
     freedom : float
@@ -361,7 +361,7 @@ class FrictionLoopsSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """What the numbers rest on, and what speaks against them; then what the contact itself rests on."""
+        """Assumptions and doubts about the results; then the notes of the contact itself."""
         problem = self.problem
         law, swing = Coulomb(self.coefficient), Shift(0.5 * max(self.contact_stroke, 0.0))
         return (*self._notes(), *FrictionDamping(problem.bed, law, problem.normal, swing).solve().validity)
@@ -373,9 +373,9 @@ class FrictionLoopsSolution:
             Note(
                 Assumption.CURVE,
                 standing_of(self.misfit, SMALL_MISFIT, LARGE_MISFIT),
-                f"The residuals of {self.fitted:.0f} of {len(log.cycles)} cycles are {100 * self.misfit:.2g} % of the "
-                f"amplitude of the force; the coefficient is {low:.4g} to {high:.4g} (95 %), as far as it is the same "
-                "at all places and speeds.",
+                f"The residuals of {self.fitted:.0f} of {len(log.cycles)} cycles are {100 * self.misfit:.2g} % of "
+                f"the force amplitude. The coefficient of friction lies between {low:.4g} and {high:.4g} (95 %), "
+                "if it is the same at all places and speeds.",
                 SOURCE,
             )
         ]
@@ -388,8 +388,8 @@ class FrictionLoopsSolution:
                 Note(
                     Assumption.SLIP,
                     Standing.OUTSIDE,
-                    f"The loops hardly open: the shear force reaches {100 * part:.3g} % of sliding, and the "
-                    "coefficient is not determined; move farther.",
+                    f"The loops are nearly closed: the shear force reaches {100 * part:.3g} % of the sliding "
+                    "force. The coefficient is not determined; use a larger amplitude.",
                     SOURCE,
                 )
             )
@@ -397,13 +397,16 @@ class FrictionLoopsSolution:
         rest = self.series_compliance - self.problem.frame_compliance
         if abs(rest) > 2.0 * self.series_compliance_error + 0.1 * more:
             softer = "softer" if rest > 0.0 else "stiffer"
+            frame = f"A frame compliance of {with_unit(max(self.series_compliance, 0.0), 'm/N', 3)}"
+            why = f"{frame} would explain this" if self.series_compliance > 0.0 else "No frame compliance explains this"
+            if rest > 0.0:
+                why += ", or rough bodies"
             notes.append(
                 Note(
                     Assumption.RESPONSE,
                     Standing.APPROXIMATE,
-                    f"The contact seems {softer} than the bed ({with_unit(self.contact_stiffness, 'N/m', 3)} for "
-                    f"{with_unit(self.expected_stiffness, 'N/m', 3)}): a frame compliance of "
-                    f"{with_unit(max(self.series_compliance, 0.0), 'm/N', 3)} would explain it, or rough bodies.",
+                    f"The contact appears {softer} than the foundation: {with_unit(self.contact_stiffness, 'N/m', 3)} "
+                    f"instead of {with_unit(self.expected_stiffness, 'N/m', 3)}. {why}.",
                     SOURCE,
                 )
             )
@@ -412,8 +415,9 @@ class FrictionLoopsSolution:
                 Note(
                     Assumption.CURVE,
                     Standing.APPROXIMATE,
-                    f"The log has a normal force of {with_unit(float(np.mean(pressed)), 'N', 3)}, the study one of "
-                    f"{with_unit(load, 'N', 3)}: the coefficient is that of the log, the stiffness that of the study.",
+                    f"The normal force is {with_unit(float(np.mean(pressed)), 'N', 3)} in the log and "
+                    f"{with_unit(load, 'N', 3)} in the study. The coefficient is that of the log, the stiffness "
+                    "that of the study.",
                     SOURCE,
                 )
             )

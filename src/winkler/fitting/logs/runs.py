@@ -26,7 +26,7 @@ FEWEST_BOUNCES, FEWEST_ROWS = 5, 20
 
 @value
 class BounceTimes:
-    """Times at which a body that was dropped touches the ground."""
+    """Impact times of a dropped body that bounces."""
 
     __words__ = words(bounce=("t_n", "s", "time of the bounce"))
 
@@ -61,7 +61,7 @@ class BounceTimes:
 
 @value
 class PinOnDisc:
-    """Friction and height loss of a pin over the distance that it slid; what was not measured is empty."""
+    """Friction and height loss of a pin over the sliding distance; missing quantities are empty."""
 
     __words__ = words(
         distance=("s", "m", "distance of sliding"),
@@ -93,7 +93,7 @@ class PinOnDisc:
         return last_of_line(np.stack([np.ones(place.size), place - place.mean()], axis=1), loss)
 
     def wear_coefficient(self, area: float, force: float) -> Estimate:
-        """Return the wear coefficient over the hardness [1/Pa], as `Archard` takes it, over the second half.
+        """Return the wear coefficient over the hardness [1/Pa] for `Archard`, from the second half.
 
         Parameters
         ----------

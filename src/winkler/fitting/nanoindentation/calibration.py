@@ -84,7 +84,7 @@ def calibrate_indenter(
     shape_factor : float, optional
         beta [-].
     frame_compliance : float, optional
-        C_f [m/N] where it is known and not fitted.
+        C_f [m/N] if it is known, and not fitted.
 
     Raises
     ------

@@ -19,7 +19,7 @@ __all__ = ["IndenterCalibration"]
 
 @value
 class IndenterCalibration:
-    """A calibrated indenter with the readings of its references.
+    """A calibrated indenter with the evaluated reference indentations.
 
     Parameters
     ----------
@@ -76,7 +76,7 @@ class IndenterCalibration:
 
     @property
     def correlation(self) -> float:
-        """Correlation of the errors of the frame compliance and of the area at the greatest contact depth [-].
+        """Correlation of the errors of the frame compliance and of the area at the maximum contact depth [-].
 
         It is nan where the frame compliance was given.
         """

@@ -25,8 +25,8 @@ INTERCEPT = 0.75
 UNSEEN = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
-    "Pile-up: a continuous stiffness without an unloading does not show how much of the depth remains; material that "
-    "piles up at the edge makes hardness and modulus too large.",
+    "Pile-up: a continuous stiffness without unloading does not show how much of the depth remains. For material "
+    "that piles up at the edge hardness and modulus are too large.",
     PILE_UP,
 )
 
@@ -134,8 +134,8 @@ class ContinuousIndentationSolution:
     depth, force, contact_depth, modulus, young, hardness : ndarray, (n,)
         Depth [m], force [N], contact depth [m], reduced modulus, modulus of the sample and hardness [Pa].
     young_errors, hardness_errors : ndarray, (n,)
-        Standard uncertainties by calibration, point of first touch and stiffness scale, which all depths share [Pa];
-        the noise is the scatter of neighbouring points.
+        Standard uncertainties due to calibration, zero point and stiffness scale, common to all depths [Pa]. The noise
+        is the scatter of neighbouring points.
     """
 
     __words__ = words(
@@ -158,7 +158,7 @@ class ContinuousIndentationSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """Whether the contact depths are those of the calibration, and what the errors leave out."""
+        """Whether the contact depths are within the calibration, and which errors are not included."""
         return (calibration_note(self.problem.indenter, self.contact_depth), UNSEEN)
 
     def mean(self, low: float, high: float) -> WindowMean:

@@ -30,8 +30,8 @@ class CalibratedIndenter:
     frame_compliance : float, optional
         C_f [m/N] of the frame, added to that of the curve; zero unless given.
     covariance : ndarray, (1 + n, 1 + n), optional
-        Of the frame compliance and the n coefficients of the area, in products of their units; empty (unless given)
-        where it is unknown: the calibration is then no part of the uncertainty.
+        Covariance of the frame compliance and the n coefficients of the area, in products of their units. If it is
+        empty (default), the calibration does not contribute to the uncertainty.
     solid : Elastic, optional
         Of the tip; diamond, 1141 GPa and 0.07, unless given.
     shape_factor : float, optional

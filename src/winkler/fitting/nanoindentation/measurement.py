@@ -314,8 +314,8 @@ class NanoindentationSolution:
     drift : ThermalDrift
         Thermal drift.
     force, depth, stiffness, exponent, final_depth : ndarray, (n,)
-        At the peaks: force [N], depth [m], stiffness of the contact [N/m], exponent [-], and depth [m] at which the
-        fitted unloading ends.
+        At the peaks: force [N], depth [m], contact stiffness [N/m], exponent [-], and final depth [m] of the fitted
+        unloading.
     contact_depth, area, modulus, young, hardness : ndarray, (n,)
         h_c [m], A [m^2], reduced modulus [Pa], Young's modulus of the sample [Pa], hardness [Pa].
     sources : tuple of str
@@ -391,13 +391,13 @@ class NanoindentationSolution:
 
     @property
     def deepest(self) -> int:
-        """Index of the unloading from the greatest force, the last of equal ones."""
+        """Index of the unloading from the maximum force, the last of equal ones."""
         top = float(self.force.max())
         return int(np.flatnonzero(self.force >= 0.99 * top)[-1])
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """Validity of the evaluation: pile-up, exponent, zero point, drift, calibration, unloadings left out."""
+        """Validity of the evaluation: pile-up, exponent, zero point, drift, calibration, omitted unloadings."""
         return nanoindentation_notes(self)
 
     @functools.cached_property
@@ -407,12 +407,12 @@ class NanoindentationSolution:
 
     @property
     def own_young_error(self) -> float:
-        """Standard uncertainty [Pa] of Young's modulus at the greatest force by sources of this indentation alone."""
+        """Standard uncertainty [Pa] of Young's modulus at the maximum force by sources of this indentation alone."""
         return self._own(self.young_shares)
 
     @property
     def own_hardness_error(self) -> float:
-        """Standard uncertainty [Pa] of the hardness at the greatest force by sources of this indentation alone."""
+        """Standard uncertainty [Pa] of the hardness at the maximum force by sources of this indentation alone."""
         return self._own(self.hardness_shares)
 
     def _own(self, shares: Array) -> float:

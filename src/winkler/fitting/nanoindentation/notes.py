@@ -36,16 +36,14 @@ def _notes(solution: Any) -> Iterator[Note]:
     place = solution.deepest
     share = float(solution.final_depth[place] / solution.depth[place])
     if share < PILE_UP_LIMIT:
-        standing, end = Standing.ASYMPTOTIC, f"below {PILE_UP_LIMIT:g} little piles up, however the material hardens"
+        standing, end = Standing.ASYMPTOTIC, f"below {PILE_UP_LIMIT:g} there is little pile-up for any hardening"
     else:
         standing, end = (
             Standing.OUTSIDE,
-            (
-                f"above {PILE_UP_LIMIT:g} material that hardens little piles up at the edge, the area may be up to "
-                "60 % too small, and hardness and modulus too large: measure the area of the impression"
-            ),
+            f"above {PILE_UP_LIMIT:g} material with little hardening piles up at the edge: the area may be up "
+            "to 60 % too small, and hardness and modulus too large. Measure the area of the impression",
         )
-    statement = f"Pile-up: {share:.2f} of the greatest depth remains after unloading; {end}."
+    statement = f"Pile-up: {share:.2f} of the maximum depth remains after unloading; {end}."
     yield Note(Assumption.RESPONSE, standing, statement, PILE_UP)
     low, high = USUAL_EXPONENTS
     exponent = float(solution.exponent[place])
@@ -66,7 +64,7 @@ def _notes(solution: Any) -> Iterator[Note]:
 def _zero(solution: Any) -> Note:
     zero, depth = solution.zero_point, float(solution.depth[solution.deepest])
     share = zero.error / depth
-    statement = f"Zero point: it is uncertain by {with_unit(zero.error, 'm', 2)}, {share:.2%} of the greatest depth"
+    statement = f"Zero point: its uncertainty is {with_unit(zero.error, 'm', 2)}, {share:.2%} of the maximum depth"
     if zero.extrapolated:
         return Note(
             Assumption.CURVE, Standing.APPROXIMATE, f"{statement}, and extrapolated: no point lies before contact.", ISO
@@ -81,7 +79,7 @@ def _drift(solution: Any) -> Note:
         )
         return Note(Assumption.CURVE, Standing.ASYMPTOTIC, statement, ISO)
     reason = solution.drift.doubt or "no hold under a small force after an unloading measures it"
-    statement = f"Drift: {reason}, and none was subtracted; its share of the uncertainty is missing."
+    statement = f"Drift: {reason}, and none was subtracted; its contribution to the uncertainty is missing."
     return Note(Assumption.CURVE, Standing.APPROXIMATE, statement, ISO)
 
 
@@ -91,14 +89,15 @@ def calibration_note(indenter: CalibratedIndenter, contact_depth: Array) -> Note
     low, high = float(contact_depth.min()), float(contact_depth.max())
     if not indenter.calibrated:
         statement = (
-            "Calibration: the covariance of area and frame is not known; its share of the uncertainty is missing."
+            "Calibration: the covariance of area and frame is not known; its contribution to the uncertainty "
+            "is missing."
         )
         return Note(Assumption.SHAPE, Standing.APPROXIMATE, statement, READING)
     if low < area.shallowest or high > area.deepest:
         ends = [with_unit(end, "m", 3) for end in (low, high, area.shallowest, area.deepest)]
         statement = (
-            f"Calibration: contact depths of {ends[0]} to {ends[1]} leave those of the calibration, {ends[2]} to "
-            f"{ends[3]}: the area function is extrapolated."
+            f"Calibration: contact depths of {ends[0]} to {ends[1]} are outside the calibrated range, {ends[2]} "
+            f"to {ends[3]}: the area function is extrapolated."
         )
         return Note(Assumption.SHAPE, Standing.OUTSIDE, statement, READING)
     statement = "Calibration: all contact depths are within those of the calibration."
@@ -125,15 +124,15 @@ def _calibrated(calibration: Any) -> Iterator[Note]:
 def _determined(calibration: Any) -> Note:
     correlation, error = calibration.correlation, calibration.frame_compliance_error
     if math.isnan(correlation):
-        statement = "Frame: its compliance was given, and its uncertainty is no part of the calibration."
+        statement = "Frame: its compliance was given, and its uncertainty is not part of the calibration."
         return Note(Assumption.RESPONSE, Standing.ASYMPTOTIC, statement, READING)
     area = calibration.measured_area
     modulus = max(reference.modulus(calibration.indenter.solid) for reference in calibration.references)
     least = 0.5 * math.sqrt(math.pi / float(area.max())) / (calibration.indenter.shape_factor * modulus)
     share = error / least
     statement = (
-        f"Frame and area: the frame compliance is uncertain by {with_unit(error, 'm/N', 2)}, {share:.1%} of the least "
-        f"compliance of a contact; the errors of frame and area are correlated by {correlation:.2f}"
+        f"Frame and area: the uncertainty of the frame compliance is {with_unit(error, 'm/N', 2)}, {share:.1%} of "
+        f"the smallest contact compliance; the errors of frame and area have a correlation of {correlation:.2f}"
     )
     if share <= DETERMINED_SHARE:
         return Note(Assumption.RESPONSE, Standing.ASYMPTOTIC, f"{statement}.", READING)
@@ -143,7 +142,10 @@ def _determined(calibration: Any) -> Note:
 
 def _described(calibration: Any) -> Note:
     scatter = math.sqrt(calibration.factor)
-    statement = f"Area function: the readings scatter by {scatter:.2g} times what noise, zero point and drift explain"
+    statement = (
+        f"Area function: the scatter of the readings is {scatter:.2g} times that explained by noise, zero point "
+        "and drift"
+    )
     if scatter <= MOST_SCATTER:
         return Note(Assumption.SHAPE, Standing.ASYMPTOTIC, f"{statement}.", READING)
     return Note(

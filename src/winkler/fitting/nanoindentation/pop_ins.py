@@ -33,7 +33,7 @@ FEWEST = 3
 
 
 def first_yield_stress(force: float, modulus: float, tip_radius: float) -> float:
-    """Return the greatest shear stress [Pa] below a ball, 0.31 times the greatest pressure of Hertz (nu = 0.3).
+    """Return the maximum shear stress [Pa] below a ball, 0.31 times the maximum pressure of Hertz (nu = 0.3).
 
     Parameters
     ----------
@@ -65,7 +65,7 @@ class PopInStatistics:
     mean_stress, mean_error : float
         Mean stress and its standard uncertainty, that of the tip radius included [Pa].
     scale, shape : float
-        Weibull's stress tau_0 [Pa] and exponent k [-], of greatest likelihood.
+        Weibull's stress tau_0 [Pa] and exponent k [-], of maximum likelihood.
     shape_error : float
         Standard error of k [-].
     activation_volume : float

@@ -60,7 +60,7 @@ class IndentationQuantities:
     units : tuple of str
         Pa, "" (HV*, in kgf/mm^2, is stated without unit), J.
     values, errors : ndarray, (11,)
-        Numbers and standard uncertainties; nan where none is known.
+        Numbers and standard uncertainties; nan if not known.
     """
 
     __words__ = words(
@@ -91,7 +91,7 @@ UNITS = {
 
 
 def indentation_quantities(solution: NanoindentationSolution) -> IndentationQuantities:
-    """Return the quantities of ISO 14577-1 at the greatest force of an evaluated indentation.
+    """Return the quantities of ISO 14577-1 at the maximum force of an evaluated indentation.
 
     Parameters
     ----------

@@ -43,8 +43,8 @@ class RepeatedMean:
     mean : float
         [Pa].
     sources : tuple of str
-        noise, zero point, drift (what the indentations state of themselves), repetition (scatter beyond them),
-        calibration, epsilon, constants.
+        noise, zero point, drift (from the single indentations), repetition (additional scatter), calibration, epsilon,
+        constants.
     shares : ndarray, (sources,)
         Standard uncertainties of the mean by each [Pa]; their squares add.
     freedom : float
@@ -85,7 +85,7 @@ class RepeatedMean:
 
 
 def repeated_mean(solutions: Sequence[NanoindentationSolution], name: str = "young") -> RepeatedMean:
-    """Return the mean at the greatest force of repeated indentations with one indenter.
+    """Return the mean at the maximum force of repeated indentations with one indenter.
 
     Parameters
     ----------

@@ -50,7 +50,7 @@ class ThermalDrift:
     first, last : int
         Indices of the points that were evaluated; both -1 without a hold.
     doubt : str
-        Why a hold that was found measures nothing; empty otherwise.
+        Reason why a hold period does not determine the drift; empty otherwise.
     """
 
     __words__ = words(
@@ -74,13 +74,13 @@ class ThermalDrift:
 
 
 def found_drift(curve: ForceCurve, zero_point: ZeroPoint | tuple[()] = ()) -> ThermalDrift:
-    """Return the drift during the longest hold at less than a quarter of the greatest force, after an unloading or
+    """Return the drift during the longest hold at less than a quarter of the maximum force, after an unloading or
     first, if the tip is in contact there.
 
     Parameters
     ----------
     curve : ForceCurve
-        With times; without them, or without such a hold, the rate is zero and nothing is said of its error.
+        A curve with times. Without times, or without such a hold, the rate is zero and its error is not stated.
     zero_point : ZeroPoint, optional
         Point of first touch; found by `found_zero_point` unless given.
     """

@@ -50,9 +50,9 @@ class ZeroPoint:
     error : float
         Its standard error [m], the doubt about the fitted range included.
     baseline : float
-        Force before contact [N]; zero where no point was taken before contact.
+        Force before contact [N]; zero if no point was measured before contact.
     extrapolated : bool
-        Whether no point was taken before contact.
+        Whether no point was measured before contact.
     """
 
     __words__ = words(
@@ -75,8 +75,8 @@ def found_zero_point(curve: ForceCurve, area: Sequence[float] | Array = (), rim:
     curve : ForceCurve
         With its first loading; corrected for drift and frame, if there is any.
     area : sequence of float, optional
-        Coefficients of the area function of the tip, which then gives the course of the force; a power of the depth
-        is taken unless given.
+        Coefficients of the area function of the tip, which determines the form of the force curve; by default a power
+        of the depth.
     rim : float, optional
         With `area`: depth of the elastic rim over the root of the area, epsilon F/(S sqrt(A)) at a peak.
 

@@ -125,8 +125,8 @@ def _plain(tasks: list[FitTask], places: list[Array], coordinates: list[Array], 
         if gain <= SETTLED * sum(counts):
             return coordinates
     raise NotConverged(
-        f"fit: least squares of {len(tasks)} curves have not settled after {MOST_STEPS} steps; give bounds or starts "
-        "nearer to the answer, or share fewer numbers."
+        f"fit: least squares of {len(tasks)} curves have not converged after {MOST_STEPS} steps; give bounds or "
+        "starts nearer to the answer, or share fewer numbers."
     )
 
 

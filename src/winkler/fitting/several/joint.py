@@ -18,7 +18,7 @@ __all__ = ["JointFit"]
 
 @value
 class JointFit:
-    """Numbers that several curves share, fitted to all of them at once.
+    """A fit of several curves with common parameters.
 
     Parameters
     ----------
@@ -36,9 +36,9 @@ class JointFit:
     freedom : float
         Independent points of all curves less all numbers.
     shares : ndarray, (k, q)
-        Part of the information on each shared number that comes from each curve; the sum over the curves is 1.
+        Part of the information on each common parameter that comes from each curve; the sum over the curves is 1.
     single_values, single_errors : ndarray, (k, q)
-        What each curve alone says, from the same linear equations; nan where it says nothing.
+        Values from each curve alone, from the same linear equations; nan if the curve does not determine them.
     chances : ndarray, (k,)
         How often a curve that shares the numbers would differ more from the others.
     flags : tuple of Flag

@@ -72,9 +72,10 @@ class Population:
     outliers : tuple of int
         Indices of curves that do not belong to the others; they are part of the mean.
     weights : ndarray, (k,)
-        Shares of the curves in the mean, whose sum is 1.
+        Weights of the curves in the mean; their sum is 1.
     doubted : tuple of int
-        Indices of curves whose error is zero, unknown, or less than a tenth of the median one; the median was taken.
+        Indices of curves whose error is zero, unknown, or less than a tenth of the median error; the median was used
+        for them.
     overstated : bool
         Whether the curves scatter less than their errors allow; the interval follows from the scatter alone.
     """

@@ -64,7 +64,7 @@ class CalibratedArea:
     coefficients : sequence of float
         C0 [-], C1 [m], C2 [m^(3/2)], C3 [m^(7/4)], ...: the n-th belongs to h^(2^(1-n)).
     shallowest, deepest : float, optional
-        Contact depths [m] between which it was calibrated; 0 and infinity, unless given, stand for "not known".
+        Contact depths [m] between which it was calibrated; by default 0 and infinity, which mean "not known".
 
     Raises
     ------
@@ -114,7 +114,7 @@ def polynomial(coefficients: tuple[float, ...], height: float) -> float:
 
 @value
 class ContactReading:
-    """Result of the evaluation of one stiffness.
+    """Result of the evaluation of one contact stiffness.
 
     Parameters
     ----------
@@ -152,7 +152,7 @@ def contact_reading(
     tip : Profile or CalibratedArea
         Its cross-section is A.
     intercept : float, optional
-        epsilon [-]; 0.75 unless given, that of a paraboloid, which most programs take.
+        epsilon [-]; by default 0.75, that of a paraboloid, as in most programs.
     shape_factor : float, optional
         beta [-].
 

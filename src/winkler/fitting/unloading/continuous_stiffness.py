@@ -38,8 +38,8 @@ class ContinuousStiffness:
     time : ndarray, (n,) or (0,), optional
         [s], never falling; empty (unless given) where it is unknown.
     machine_stiffness : float, optional
-        Stiffness of the frame that depth and stiffness still contain [N/m]; infinite (unless given) where the
-        instrument has subtracted it, as most do.
+        Stiffness of the frame still contained in depth and stiffness [N/m]. Infinite by default, because most
+        instruments have subtracted it.
     name : str, optional
         Origin of the data.
 

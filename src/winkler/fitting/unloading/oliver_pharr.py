@@ -53,14 +53,14 @@ class OliverPharr:
         The measured curve; the last unloading of its `segments` is evaluated.  Wrong segments can be stated:
         ``curve.with_segments([("loading", 0), ("hold", 120), ("unloading", 180)])``.
     profile : Profile or CalibratedArea
-        The tip: CalibratedArea(coefficients) or AreaFunction(coefficients), of which A(h_c) is all that is needed, or
-        any profile.
+        The tip: CalibratedArea(coefficients) or AreaFunction(coefficients), which give the required A(h_c), or any
+        profile.
     contact_point : float, optional
         Position of first touch [m]; zero unless given.
     upper, lower : float, optional
-        Parts of the greatest force between which the unloading is fitted [-].
+        Parts of the maximum force between which the unloading is fitted [-].
     shape_factor : float, optional
-        beta [-], 1 for bodies of revolution; about 1.034 is often taken for a Berkovich pyramid.
+        beta [-], 1 for bodies of revolution; often about 1.034 for a Berkovich pyramid.
 
     References
     ----------
@@ -86,8 +86,8 @@ class OliverPharr:
     def __post_init__(self) -> None:
         if not 0.0 <= self.lower < self.upper <= 1.0:
             raise InvalidInput(
-                f"OliverPharr: the limits of the fitted part are {self.upper!r} and {self.lower!r}; "
-                "give 1 >= upper > lower >= 0, parts of the greatest force."
+                f"OliverPharr: the limits of the fitted part are {self.upper!r} and {self.lower!r}; give 1 >= "
+                "upper > lower >= 0, parts of the maximum force."
             )
 
     def solve(self) -> OliverPharrSolution:
@@ -123,7 +123,7 @@ class OliverPharr:
 
     @property
     def unloading(self) -> Array:
-        """Indices of the points of the last unloading in the curve, holds within it left out."""
+        """Indices of the points of the last unloading in the curve, without hold periods."""
         parts = [part for part in self.curve.segments if part.kind is SegmentKind.LAST_UNLOADING]
         return np.concatenate([np.arange(part.first, part.last + 1) for part in parts]) if parts else np.arange(0)
 
@@ -140,8 +140,8 @@ class OliverPharr:
         chosen = (share <= self.upper) & (share >= self.lower)
         if np.count_nonzero(chosen) < FEWEST:
             raise InvalidInput(
-                f"OliverPharr: {int(np.count_nonzero(chosen))} points lie between {self.lower:g} and {self.upper:g} of "
-                f"the greatest force; at least {FEWEST} are needed."
+                f"OliverPharr: {int(np.count_nonzero(chosen))} points lie between {self.lower:g} and "
+                f"{self.upper:g} of the maximum force; at least {FEWEST} are needed."
             )
         return np.asarray(chosen)
 
@@ -191,8 +191,9 @@ class OliverPharrSolution:
     hardness : float
         [Pa].
     standard_errors : ndarray, (7,)
-        Of exponent, final_depth, stiffness, contact_depth, area, modulus, hardness, in their units: from the scatter of
-        the unloading and the noise of the depth at its peak; `Nanoindentation` adds zero point, drift and calibration.
+        Standard errors of exponent, final_depth, stiffness, contact_depth, area, modulus and hardness, in their units.
+        They follow from the scatter of the unloading and the depth noise at its peak; `Nanoindentation` adds zero
+        point, drift and calibration.
     scatter : float
         Standard deviation of the forces about the power law [N].
     fitted_force : float

@@ -64,15 +64,15 @@ def unloading_notes(solution: Any) -> tuple[Note, ...]:
 
 def _pile_up(solution: Any) -> Iterator[NoteParts]:
     share = solution.final_depth / solution.depth
-    statement = f"Pile-up: {share:.2f} of the greatest depth remains after unloading"
+    statement = f"Pile-up: {share:.2f} of the maximum depth remains after unloading"
     if share < PILE_UP_LIMIT:
         standing = Standing.ASYMPTOTIC
-        conclusion = f"below {PILE_UP_LIMIT:g} little piles up, however the material hardens"
+        conclusion = f"below {PILE_UP_LIMIT:g} there is little pile-up for any hardening"
     else:
         standing = Standing.OUTSIDE
         conclusion = (
-            f"above {PILE_UP_LIMIT:g} material that hardens little piles up at the edge, the area may be up "
-            "to 60 % too small, and hardness and modulus too large: measure the area of the impression"
+            f"above {PILE_UP_LIMIT:g} material with little hardening piles up at the edge: the area may be up to "
+            "60 % too small, and hardness and modulus too large. Measure the area of the impression"
         )
     yield Assumption.RESPONSE, standing, f"{statement}; {conclusion}.", PILE_UP
 
@@ -81,17 +81,15 @@ def _creep(solution: Any) -> Iterator[NoteParts]:
     share, standing = _creep_share(solution), Standing.APPROXIMATE
     if math.isnan(share):
         statement = (
-            "there is no hold before the unloading, or no times, so creep and drift cannot be assessed; they "
-            "add the ratio of their rate to that of the unloading to the compliance"
+            "there is no hold before the unloading, or no times, so creep and drift are not known; they add the "
+            "ratio of their rate to that of the unloading to the compliance"
         )
     else:
         size = abs(share)
         if size < LEAST_CREEP or size >= MOST_CREEP:
             standing = Standing.OUTSIDE if size >= MOST_CREEP else Standing.ASYMPTOTIC
         advice = "hold longer, or unload faster" if size >= LEAST_CREEP else "small enough"
-        statement = (
-            f"at the rate with which the hold ended, creep and drift make the stiffness {share:+.1%} wrong: {advice}"
-        )
+        statement = f"at the rate at the end of the hold creep and drift change the stiffness by {share:+.1%}: {advice}"
     yield Assumption.CURVE, standing, f"Creep: {statement}.", CREEP
 
 
@@ -141,8 +139,8 @@ def _peak(solution: Any) -> Iterator[NoteParts]:
     miss = solution.fitted_force / solution.force - 1.0
     if abs(miss) > PEAK_TOLERANCE:
         statement = (
-            f"Peak: the fitted law misses the force measured at the peak by {miss:+.1%}; creep, drift or a wrong "
-            "segment distorts the unloading: check the segments, or fit another part (upper, lower)."
+            f"Peak: the fitted law differs from the force measured at the peak by {miss:+.1%}. Creep, drift or a "
+            "wrong segment distorts the unloading: check the segments, or fit another part (upper, lower)."
         )
         yield Assumption.CURVE, Standing.OUTSIDE, statement, READING
 
@@ -154,8 +152,8 @@ def _area(solution: Any) -> Iterator[NoteParts]:
         return
     if not isinstance(tip, CalibratedArea | AreaFunction):
         statement = (
-            f"Area: that of an ideal {type(tip).__name__}; a real tip is blunt, which counts the more, the smaller "
-            "the depth."
+            f"Area: that of an ideal {type(tip).__name__}. A real tip is blunt, which is more important at "
+            "smaller depths."
         )
         yield Assumption.SHAPE, Standing.APPROXIMATE, statement, REVIEW
         return
@@ -164,13 +162,13 @@ def _area(solution: Any) -> Iterator[NoteParts]:
     falling = heights[1:][np.diff(areas) <= 0.0]
     if falling.size and falling[-1] >= depth:
         place = with_unit(depth, "m", 3)
-        statement = f"Area: the area function shrinks at the contact depth {place}, which no tip does."
+        statement = f"Area: the area function decreases at the contact depth {place}, which is impossible for a tip."
         yield Assumption.SHAPE, Standing.OUTSIDE, statement, READING
     elif falling.size:
         first, last = (with_unit(float(end), "m", 2) for end in falling[[0, -1]])
         statement = (
-            f"Area: the area function shrinks at depths of {first} to {last} and is no tip there; only the contact "
-            "depth counts."
+            f"Area: the area function decreases at depths of {first} to {last} and is invalid there; only the "
+            "contact depth is used."
         )
         yield Assumption.SHAPE, Standing.ASYMPTOTIC, statement, READING
     low, high = (tip.shallowest, tip.deepest) if isinstance(tip, CalibratedArea) else (0.0, math.inf)
@@ -186,18 +184,21 @@ def _area(solution: Any) -> Iterator[NoteParts]:
 
 def _shape(solution: Any) -> Iterator[NoteParts]:
     statement = (
-        f"Shape factor: beta = {solution.problem.shape_factor:g} was taken; pyramids have about 1.02 to 1.08, and the "
-        "modulus goes with 1/beta."
+        f"Shape factor: beta = {solution.problem.shape_factor:g} was used. Pyramids have about 1.02 to 1.08; the "
+        "modulus is proportional to 1/beta."
     )
     yield Assumption.RESPONSE, Standing.APPROXIMATE, statement, REVIEW
 
 
 def _points(solution: Any) -> Iterator[NoteParts]:
     count, share = solution.fitted_points.size, float(solution.standard_errors[5]) / solution.modulus
-    statement = f"{count} were fitted, and scatter alone makes the modulus uncertain by {share:.2%}"
+    statement = f"{count} were fitted, and scatter alone gives the modulus an uncertainty of {share:.2%}"
     standing, end = Standing.ASYMPTOTIC, "."
     if count < FEW_POINTS:
-        standing, end = Standing.APPROXIMATE, f"; below {FEW_POINTS} that error itself is rough."
+        standing, end = (
+            Standing.APPROXIMATE,
+            f"; with fewer than {FEW_POINTS} points this uncertainty itself is inaccurate.",
+        )
     source = "covariance of the fit, under white and slow noise"
     yield Assumption.CURVE, standing, f"Points: {statement}{end}", source
 

@@ -276,8 +276,8 @@ def refuse_stack_numbers(bed: Bed, names: tuple[str, ...]) -> None:
     for name in names:
         if name.startswith("bed.") and not (name.startswith(own) and not name.endswith(".poisson")):
             raise InvalidInput(
-                f"fit: '{name}' is free, but on layers that relax the moduli, times and exponents of '{own[:-1]}' can "
-                "be fitted; give it a fixed value."
+                f"fit: '{name}' is free, but on viscoelastic layers the moduli, times and exponents of "
+                f"'{own[:-1]}' can be fitted; give it a fixed value."
             )
 
 
@@ -339,8 +339,8 @@ class _LayeredFit(FitTask):
             except NotConverged as failed:
                 raise OutsideValidity(str(failed)) from failed
         raise OutsideValidity(
-            "fit: the contact reaches the rim of the body or grows without end, where layers that relax are not "
-            "fitted; give bounds or starts nearer to the answer, or a profile that extends farther."
+            "fit: the contact reaches the rim of the body or grows without end, where viscoelastic layers are "
+            "not fitted; give bounds or starts nearer to the answer, or a profile that extends farther."
         )
 
     def difference(self, coordinates: Array, index: int, prediction: Prediction) -> Array:

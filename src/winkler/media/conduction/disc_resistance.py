@@ -278,7 +278,7 @@ def conduction_notes(first: ConductingBody, second: ConductingBody, area_resista
             Note(
                 Assumption.CONDUCTION,
                 Standing.EXACT,
-                "Steady conduction through one round contact, nothing around it.",
+                "Steady conduction through one round contact; nothing passes outside it.",
                 HOLM,
             )
         )
@@ -287,8 +287,9 @@ def conduction_notes(first: ConductingBody, second: ConductingBody, area_resista
             Note(
                 Assumption.CONDUCTION,
                 Standing.EXACT,
-                "The platings conduct as layers bonded without resistance. Between unlike ones the voltage (or "
-                "temperature) over each body varies across the spot; stated is its mean over the current (or heat).",
+                "The platings are layers bonded without resistance. Between different platings the voltage (or "
+                "temperature) varies across the spot. The stated value is the mean weighted with the current (or "
+                "heat flux).",
                 OWN_SOLUTION,
             )
         )
@@ -298,10 +299,11 @@ def conduction_notes(first: ConductingBody, second: ConductingBody, area_resista
             Note(
                 Assumption.CONDUCTION,
                 Standing.EXACT if alike else Standing.ASYMPTOTIC,
-                "Both rods have insulated sides and their contact is a disc of one voltage"
+                "The sides of both rods are insulated, and the contact is a disc of uniform voltage"
                 if alike
-                else "Each body is taken with a contact of one voltage; where they differ the sum is a little too low, "
-                "by less than 8 % of the constriction, and by nothing for narrow contacts",
+                else "Each body is computed with a uniform voltage over the contact. If the voltages differ, the "
+                "sum is too low by less than 8 % of the constriction resistance; for narrow contacts the "
+                "error vanishes",
                 OWN_SOLUTION,
             )
         )
@@ -310,8 +312,8 @@ def conduction_notes(first: ConductingBody, second: ConductingBody, area_resista
             Note(
                 Assumption.CONDUCTION,
                 Standing.APPROXIMATE,
-                "The film is added to the constriction of a clean contact; it also spreads the current, which costs up "
-                "to 8 % of the constriction more.",
+                "The resistance of the film is added to the constriction resistance of a clean contact. The film "
+                "also spreads the current, which adds up to 8 % of the constriction resistance.",
                 OWN_SOLUTION,
             )
         )
@@ -320,7 +322,8 @@ def conduction_notes(first: ConductingBody, second: ConductingBody, area_resista
             Note(
                 Assumption.CONDUCTION,
                 Standing.EXACT,
-                "That the film spreads the current is counted in the constriction, up to 8.1 % more than Holm's.",
+                "The constriction resistance includes the spreading of the current by the film: up to 8.1 % "
+                "more than Holm's value.",
                 OWN_SOLUTION,
             )
         )

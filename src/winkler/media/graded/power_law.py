@@ -44,7 +44,8 @@ BOOKER = "J. R. Booker, N. P. Balaam, E. H. Davis, Int. J. Numer. Anal. Methods 
 
 @value
 class GradedHalfSpace:
-    """Two half-spaces whose Young's modulus follows the same power of the depth, or one such and a rigid body.
+    """Two half-spaces with a Young's modulus proportional to the same power of the depth, or one of them and a rigid
+    body.
 
     Parameters
     ----------
@@ -150,13 +151,15 @@ class GradedHalfSpace:
 
     @property
     def mismatch(self) -> float:
-        """Zero of two bodies that are alike, whose pressure draws both along in the same way; else not a number."""
+        """Zero for two equal bodies, in which the pressure causes equal tangential displacements; otherwise nan."""
         alike = len(self._graded) > 1 and len({(self._young(body), body.poisson) for body in self._graded}) == 1
         return 0.0 if alike else math.nan
 
     @functools.cached_property
     def torsional_modulus(self) -> float:
-        """G_t [Pa], 1/G_t = sum of 2 (1+nu) (1+k)^2 / (E_0 cos(k pi/2)): springs of a twist bear 8 G_t (x/c_0)^k x."""
+        """G_t [Pa], 1/G_t = sum of 2 (1+nu) (1+k)^2 / (E_0 cos(k pi/2)). The torsional spring stiffness is 8 G_t
+        (x/c_0)^k x.
+        """
         k = self.exponent
         if k == 1.0:
             raise OutsideValidity(
@@ -174,16 +177,19 @@ class GradedHalfSpace:
             Note(
                 Assumption.RESPONSE,
                 Standing.EXACT,
-                "Frictionless contact of half-spaces whose modulus follows a power of the depth with constant Poisson "
-                "ratio: for one round contact the springs give the three-dimensional solution itself.",
+                "Frictionless contact of half-spaces whose modulus follows a power of the depth with constant "
+                "Poisson's ratio. For one round contact the springs are equal to the three-dimensional solution.",
                 BOOKER,
             ),
             Note(
                 Assumption.RESPONSE,
                 Standing.ASYMPTOTIC,
-                "The power law gives the surface itself the modulus "
-                + ("zero" if self.exponent > 0.0 else "infinity" if self.exponent < 0.0 else "of the bulk")
-                + "; a real grading follows it over a range of depths that must contain the contact radius.",
+                "According to the power law the modulus at the surface itself is "
+                + ("zero" if self.exponent > 0.0 else "infinite" if self.exponent < 0.0 else "that of the bulk")
+                + (
+                    ". A real graded body follows the law over a range of depths, which must contain the contact "
+                    "radius."
+                ),
                 "A. E. Giannakopoulos, S. Suresh, Int. J. Solids Struct. 34 (1997) 2357-2392",
             ),
         )
@@ -232,7 +238,7 @@ class GradedHalfSpace:
         return np.asarray(self._surface_modulus / np.pi * root_difference(radius, r) ** (self.exponent - 1.0))
 
     def punch_facts(self, radius: float) -> PunchFacts:
-        """No flat punch pulls, or lifts the surface, or sinks it beyond its own depth."""
+        """Flat punches have no tension, and displace the surface outside the contact by less than their depth."""
         return PunchFacts(pulls=False, least=0.0, most=1.0, gives_separation=True)
 
     def _stiffness(self, modulus: float, x: Array) -> Array:
@@ -272,7 +278,7 @@ class GradedHalfSpace:
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
         """Refused: the stresses below the surface of a graded body are not known to winkler."""
         raise OutsideValidity(
-            "The stresses inside a GradedHalfSpace are not known to winkler: below the surface the power law has no "
+            "The stresses inside a GradedHalfSpace are not implemented: below the surface the power law has no "
             "closed flat-punch field; request the surface (without z), or sample the grading by a layered medium."
         )
 

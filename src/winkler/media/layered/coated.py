@@ -225,8 +225,8 @@ class LayeredMedium:
         """The other body, where stresses in it are known."""
         if isinstance(self.second, TransverselyIsotropic):
             raise OutsideValidity(
-                f"{type(self).__name__}: the stresses inside a transversely isotropic second body are not known to "
-                "winkler; request the surface (without z), or points in the layers."
+                f"{type(self).__name__}: the stresses inside a transversely isotropic second body are not "
+                "implemented; request the surface (without z), or points in the layers."
             )
         if not isinstance(self.second, Elastic):
             raise rigid_body(below=False)
@@ -308,8 +308,8 @@ class StackMedium(LayeredMedium):
         if mode is Mode.ACROSS:
             return FloatingAcross(mode, StackBody(self.stack[:slides], RIGID), self.second)
         raise OutsideValidity(
-            f"{type(self).__name__}: layer {slides} slides on what lies below it and bears no shear there, so "
-            "that under a push it slides away; give layers that are bonded."
+            f"{type(self).__name__}: layer {slides} slides on its base and carries no shear there. Under a "
+            "tangential load it would slide away. Give bonded layers."
         )
 
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
@@ -374,8 +374,8 @@ class CoatedHalfSpace(StackMedium):
         Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "Frictionless contact of perfectly bonded, isotropic, linear elastic layers: k and g follow from the "
-            "flat punches of the stack without approximation, for one round contact.",
+            "Frictionless contact of perfectly bonded, isotropic, linear elastic layers. For one round contact k "
+            "and g follow exactly from flat punches on the layers.",
             BARBER,
         ),
     )
@@ -384,10 +384,10 @@ class CoatedHalfSpace(StackMedium):
 
 @value
 class StackedHalfSpace(StackMedium):
-    r"""Layers, isotropic or transversely isotropic, each bonded to what lies below it or sliding there, on a base.
+    r"""Layers on a base, each bonded to the material below or sliding on it.
 
-    Isotropic layers that are all bonded give what `CoatedHalfSpace` gives; more problems take that.  An interface that
-    slides has no friction and does not open.
+    Layers are isotropic or transversely isotropic. For bonded isotropic layers results are those of `CoatedHalfSpace`,
+    which more problems support. A sliding interface has no friction and does not open.
 
     Parameters
     ----------
@@ -440,9 +440,9 @@ class StackedHalfSpace(StackMedium):
         Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "Frictionless contact of linear elastic layers, isotropic or transversely isotropic about the surface "
-            "normal, each bonded to what lies below it or sliding there without friction or gap. For one round "
-            "contact k and g follow from the flat punches of the stack without approximation.",
+            "Frictionless contact of linear elastic layers, isotropic or transversely isotropic about the "
+            "surface normal. Each layer is bonded to the material below, or slides on it without friction or "
+            "gap. For one round contact k and g follow exactly from flat punches on the layers.",
             BARBER,
         ),
     )
@@ -459,8 +459,8 @@ class SlidingFilm(StackMedium):
 
     The solid appears by E* alone: Poisson's ratio has no other effect.
 
-    The layer is bonded to nothing: it expands sideways under a pressure, also where it is incompressible, so that a
-    thin film is far softer than the bonded one of `CoatedHalfSpace`.  It may slide, but it does not lift off.
+    The layer is not bonded: it expands laterally under a pressure, also if it is incompressible, so that a thin film is
+    far softer than the bonded one of `CoatedHalfSpace`.  It may slide, but it does not lift off.
 
     Parameters
     ----------
@@ -512,8 +512,8 @@ class SlidingFilm(StackMedium):
         Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "Frictionless contact of an isotropic, linear elastic layer that slides on its base without friction and "
-            "does not lift off. For one round contact k and g follow from its flat punches without approximation.",
+            "Frictionless contact of an isotropic, linear elastic layer that slides on its base without friction "
+            "and does not lift off. For one round contact k and g follow exactly from flat punches on the layer.",
             BARBER,
         ),
     )

@@ -109,8 +109,8 @@ def refuse_unknown_places(body: StackBody, z: Array) -> None:
     refuse_base(body, z)
     if not isinstance(body.top, Elastic) and np.any(z <= body.bottoms[0]):
         raise OutsideValidity(
-            f"z = {np.min(z):.6g} m lies in a transversely isotropic uppermost layer, in which stresses are not known "
-            f"to winkler; request the surface (without z), or points below {body.bottoms[0]:.6g} m."
+            f"z = {np.min(z):.6g} m lies in a transversely isotropic uppermost layer, in which stresses are not "
+            f"implemented; request the surface (without z), or points below {body.bottoms[0]:.6g} m."
         )
 
 

@@ -70,7 +70,7 @@ class DepthGradedHalfSpace(LayeredMedium):
 
     @property
     def thickness(self) -> float:
-        """Depth below which the grading has settled, to the tolerance [m]."""
+        """Depth below which the grading is constant within the tolerance [m]."""
         return self.grading.settled_at(self.tolerance)
 
     def inside(self, load: CarriedLoad, r: Array, z: Array) -> BodyField:
@@ -84,8 +84,9 @@ class DepthGradedHalfSpace(LayeredMedium):
             Note(
                 Assumption.RESPONSE,
                 Standing.ASYMPTOTIC,
-                f"The graded body is cut into cells so thin that every stiffness k(a) is known to "
-                f"{self.tolerance:.0e}; frictionless, isotropic, linear elastic.",
+                "The graded body is divided into thin cells in depth; the relative error of every contact "
+                f"stiffness k(a) is at most {self.tolerance:.0e}. Frictionless contact of an isotropic, linear "
+                "elastic body.",
                 "refinement of the cells until the surface compliance moves by less",
             ),
         )

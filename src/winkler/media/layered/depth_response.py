@@ -108,8 +108,8 @@ class GradedBody:
         """What is assumed of it in plane strain."""
         return (
             Standing.ASYMPTOTIC,
-            "A linear elastic, isotropic body graded with depth, in plane strain under normal load: the Fourier "
-            f"response of cells so thin that it is known to {self.tolerance:.0e}",
+            "A linear elastic, isotropic body graded with depth, in plane strain under normal load. Its Fourier "
+            f"response is computed with thin cells in depth, with a relative error of at most {self.tolerance:.0e}",
         )
 
     @property

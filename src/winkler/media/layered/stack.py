@@ -81,8 +81,9 @@ class StackBody:
 
     in_plane = (
         Standing.EXACT,
-        "Linear elastic layers in plane strain under normal load, each perfectly bonded to what lies below it or, as "
-        "given, sliding there without friction and gap: the Fourier response of the stack",
+        "Linear elastic layers in plane strain under normal load. Each layer is perfectly bonded to the material "
+        "below or, where specified, slides on it without friction or gap. The solution uses the Fourier response "
+        "of the stack",
     )
     """What is assumed of it in plane strain."""
 

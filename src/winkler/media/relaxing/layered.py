@@ -55,10 +55,11 @@ VANISHED_DEPTH = 44.0
 
 @value
 class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
-    """Bonded layers on a half-space or a rigid base, of which each may relax by a law of its own.
+    """Bonded layers on a half-space or a rigid base, each with a separate relaxation function.
 
-    Its response depends on time, and not in proportion: `ViscoelasticIndentation`, `CreepTest`, `RelaxationTest`,
-    `HarmonicIndentation` and `ViscoelasticImpact` know it, and under lines `LineViscoelasticIndentation`.
+    The response depends on time, and is not proportional to one function. `ViscoelasticIndentation`, `CreepTest`,
+    `RelaxationTest`, `HarmonicIndentation` and `ViscoelasticImpact` support it, and `LineViscoelasticIndentation` in
+    line contact.
 
     Parameters
     ----------
@@ -72,7 +73,8 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
     Raises
     ------
     InvalidInput
-        If there is no layer, nothing relaxes, or a solid flows for ever or has an infinite modulus at first.
+        If there is no layer, no part is viscoelastic, or a solid is a liquid at long times or has an infinite modulus
+        at short times.
 
     References
     ----------
@@ -91,8 +93,8 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
     """
 
     described: ClassVar[str] = "Perfectly bonded, isotropic, linear viscoelastic layers"
-    reason: ClassVar[str] = "the layers of the bed relax each by a law of its own,"
-    alike: ClassVar[str] = "RelaxingInProportion(medium, solid, shear) of layers that relax alike"
+    reason: ClassVar[str] = "each layer of this medium has its own relaxation function."
+    alike: ClassVar[str] = "RelaxingInProportion(medium, solid, shear) of layers with a common relaxation function"
 
     layers: tuple[Layer | ViscoelasticLayer, ...]
     on: ViscoelasticSolid | Elastic | Rigid
@@ -144,7 +146,7 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
 
     @property
     def thickness(self) -> float:
-        """Depth below which nothing changes any more [m]."""
+        """Depth below which the body is homogeneous [m]."""
         return float(self.bodies.thickness)
 
     def waves(self, part: Wave, xi: Array, s: ComplexArray) -> ComplexArray:
@@ -172,8 +174,9 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
         Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "Frictionless contact of perfectly bonded, isotropic, linear viscoelastic layers with Poisson's ratios "
-            "that do not change in time, without inertia: tractions are superposed over the history, wave by wave.",
+            "Frictionless contact of perfectly bonded, isotropic, linear viscoelastic layers with constant "
+            "Poisson's ratios, without inertia. The pressures are superposed over the history, separately for "
+            "each wavelength.",
             LEE,
         ),
     )

@@ -54,13 +54,14 @@ BIOT = (
 
 @value
 class PoroelasticFilm(RelaxingByWaves):
-    """A network filled with a liquid, bonded to a rigid base that is impermeable, and drained at its surface.
+    """A liquid-filled network, bonded to a rigid, impermeable base and drained at its surface.
 
-    The body that is pressed in lets the liquid through, as the bath beside it does.  Where a contact is wider than some
-    40 thicknesses, what creeps within 1e-5 h^2/D comes at once: the peak of an undrained film, hundreds of times the
-    later force, is over long before (the force is then 3 % too high at 1e-4 h^2/D, 0.3 % at 1e-3).  Its response
-    depends on time: `ViscoelasticIndentation`, `CreepTest`, `RelaxationTest`, `HarmonicIndentation` and
-    `ViscoelasticImpact` know it, and under lines `LineViscoelasticIndentation`.
+    Liquid also passes into the indenter. For contacts wider than some 40 thicknesses the creep within 1e-5 h^2/D is
+    taken as instantaneous. The peak of an undrained film, hundreds of times the later force, is over long before. The
+    force is then 3 % too high at 1e-4 h^2/D and 0.3 % at 1e-3 h^2/D.
+
+    The response depends on time. `ViscoelasticIndentation`, `CreepTest`, `RelaxationTest`, `HarmonicIndentation` and
+    `ViscoelasticImpact` support it, and `LineViscoelasticIndentation` in line contact.
 
     Parameters
     ----------
@@ -102,8 +103,10 @@ class PoroelasticFilm(RelaxingByWaves):
     described: ClassVar[str] = (
         "A film by Biot's linear theory, bonded to a rigid base and drained all over its surface,"
     )
-    reason: ClassVar[str] = "the liquid leaves the film the later, the wider the contact is,"
-    alike: ClassVar[str] = "an elastic film, CoatedHalfSpace, of the drained network or, at first, with poisson=0.5"
+    reason: ClassVar[str] = "the liquid leaves the film more slowly under wider contacts."
+    alike: ClassVar[str] = (
+        "an elastic CoatedHalfSpace: with the drained Poisson's ratio for long times, or poisson=0.5 for short times"
+    )
 
     shear: Positive
     poisson: Annotated[
@@ -161,8 +164,8 @@ class PoroelasticFilm(RelaxingByWaves):
         """
         if part is not Wave.NORMAL:
             raise OutsideValidity(
-                f"PoroelasticFilm: how its surface answers a wave of the kind {part.name.lower()} is not known to "
-                "winkler, pressures alone; leave friction out, or give ViscoelasticCoatedHalfSpace."
+                f"PoroelasticFilm: the response of its surface to waves of the kind {part.name.lower()} is not "
+                "implemented, only that to pressure; leave friction out, or give ViscoelasticCoatedHalfSpace."
             )
         found = drained_waves(np.asarray(s) * self.diffusion_time, xi * self.thickness, self.poisson)
         return both(part, found / self.shear, solid_at(self.second, s))
@@ -184,11 +187,11 @@ class PoroelasticFilm(RelaxingByWaves):
         Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "Frictionless contact with a bonded film on a rigid base by Biot's linear theory, of incompressible "
-            "constituents, without inertia. Liquid passes the surface freely, also into the body that is pressed in, "
-            "and not the base; below a body that is sealed the force falls later. Under contacts wider than 40 "
-            "thicknesses what flows within 1e-5 h^2/D flows at once. After a step the force is 3 % too high at 1e-4 "
-            "h^2/D, 0.3 % at 1e-3 h^2/D, and less later.",
+            "Frictionless contact with a film bonded to a rigid base, by Biot's linear theory with "
+            "incompressible constituents and without inertia. Liquid passes freely through the surface, also "
+            "into the indenter, but not into the base. Under a sealed indenter the force would decrease later. "
+            "For contacts wider than 40 thicknesses the flow within 1e-5 h^2/D is taken as instantaneous. After "
+            "a step the force is 3 % too high at 1e-4 h^2/D, 0.3 % at 1e-3 h^2/D, and less later.",
             BIOT,
         ),
     )

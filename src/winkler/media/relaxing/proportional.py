@@ -44,9 +44,9 @@ ElasticMedium = (
 
 @value
 class RelaxingInProportion(RelaxingLayers):
-    """An elastic medium all of whose moduli relax by the same function of time, phi(t) = G(t) / shear.
+    """An elastic medium in which all moduli have one relaxation function, phi(t) = G(t) / shear.
 
-    Every part of it that is not rigid relaxes: layers, what carries them, and the other body.
+    All deformable parts relax: the layers, their base, and the other body.
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ class RelaxingInProportion(RelaxingLayers):
     solid : ViscoelasticSolid
         Only the course of its shear modulus G(t) counts; Poisson's ratios are those of the medium.
     shear : float
-        The shear modulus of the solid to which the moduli of the medium belong [Pa]: its relaxed one, its glassy one,
+        Shear modulus [Pa] of the solid that corresponds to the moduli of the medium: the relaxed one, the glassy one,
         or any other.
 
     Raises
@@ -99,7 +99,7 @@ class RelaxingInProportion(RelaxingLayers):
 
     @property
     def thickness(self) -> float:
-        """Depth below which nothing changes any more [m], of layers and gradings."""
+        """Depth below which the body is homogeneous [m], for layers and graded bodies."""
         return float(cast(PlaneMedium, self.medium).thickness)
 
     @property
@@ -122,8 +122,8 @@ class RelaxingInProportion(RelaxingLayers):
         medium: Any = self.medium
         if offers(medium, PowerOfDepth):
             raise OutsideValidity(
-                "RelaxingInProportion: a modulus that follows a power of the depth has no surface whose half-space "
-                "short waves feel; give layers, or a DepthGradedHalfSpace."
+                "RelaxingInProportion: for a power law of depth no half-space represents the surface under short "
+                "waves; give layers, or a DepthGradedHalfSpace."
             )
         xi, s = np.broadcast_arrays(xi, s)
         layered = not isinstance(medium, HalfSpace | TransverselyIsotropicHalfSpace)
@@ -146,9 +146,9 @@ class RelaxingInProportion(RelaxingLayers):
         alike = Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "All parts that are not rigid relax by the same function of time, with Poisson's ratios that do not "
-            "change. Then g does not change either. While the contact is one disc, every elastic result stays true "
-            "with the displacements replaced by their hereditary integral.",
+            "All deformable parts have one common relaxation function and constant Poisson's ratios, so g does "
+            "not change with time. While the contact is one disc, elastic results apply with displacements "
+            "replaced by their hereditary integrals.",
             LEE,
         )
         return (*self.medium.notes, alike)

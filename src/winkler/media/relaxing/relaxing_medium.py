@@ -151,9 +151,9 @@ class RelaxingLayers(RelaxingMedium, Protocol):
         """Of the elastic layers to a pressure: a wave over the shortest ones; refuse other bodies."""
         if not offers(self.bodies, PlaneMedium):
             raise OutsideValidity(
-                f"{type(self).__name__}: a {type(self.bodies).__name__} has no layers that line contacts know; give "
-                "layers or a DepthGradedHalfSpace, or a homogeneous body as LineFoundation(profile, "
-                "ViscoelasticHalfSpace(solid))."
+                f"{type(self).__name__}: line contacts do not support the layers of a "
+                f"{type(self.bodies).__name__}; give layers or a DepthGradedHalfSpace, or a homogeneous body as "
+                "LineFoundation(profile, ViscoelasticHalfSpace(solid))."
             )
         return self.bodies.response
 

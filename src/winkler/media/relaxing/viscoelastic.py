@@ -111,8 +111,8 @@ class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
         Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "Linear viscoelastic half-spaces with Poisson's ratios that do not change in time, without friction "
-            "and inertia: while the contact is one disc, the springs give the three-dimensional solution itself.",
+            "Linear viscoelastic half-spaces with constant Poisson's ratios, without friction and inertia. While "
+            "the contact is one disc, the springs are equal to the three-dimensional solution.",
             LEE,
         ),
     )
@@ -161,8 +161,9 @@ def share_of_creep(body: ViscoelasticSolid, other: ViscoelasticSolid) -> float:
     ratio = creep_ratio(body, other)
     if ratio is None:
         raise OutsideValidity(
-            "ViscoelasticHalfSpace: both bodies creep, each by a function of its own, so that how much each of them "
-            "moves is not known; request the surface (without z), or take one of them elastic or rigid."
+            "ViscoelasticHalfSpace: both bodies are viscoelastic with different relaxation functions, so the "
+            "displacement of each is not known; request the surface (without z), or use one elastic or rigid "
+            "body."
         )
     return float((1.0 - body.poisson) / (1.0 - body.poisson + (1.0 - other.poisson) * ratio))
 

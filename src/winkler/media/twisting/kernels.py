@@ -66,9 +66,8 @@ def twisted_medium(medium: Medium) -> TwistModuli:
 def no_kernel(medium: object) -> OutsideValidity:
     """Return the refusal of torsion on a medium."""
     return OutsideValidity(
-        f"Torsion: the medium of the bed is a {type(medium).__name__}; how rings slide around the axis on it is not "
-        "built in: what twisted springs bear is known on homogeneous, layered and graded elastic half-spaces: give one "
-        "of these."
+        f"Torsion: the medium of the bed is a {type(medium).__name__}; slip annuli of a twisted contact are "
+        "implemented for homogeneous, layered and graded elastic half-spaces only: give one of these."
     )
 
 

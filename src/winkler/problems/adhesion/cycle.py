@@ -68,7 +68,7 @@ MACHINE_STIFFNESS_RANGE = POSITIVE_OR_INFINITE._replace(
 
 @value
 class AdhesiveCycle:
-    """Slow approach and retraction along a path.
+    """Slow approach and retraction of an adhesive contact along a path.
 
     The bodies are apart at the beginning and first approach up to the first point of the path.
 
@@ -82,7 +82,7 @@ class AdhesiveCycle:
         and on layers.
     path : Depth or Force
         Positions of the far end of the machine [m], or dead loads [N], one after the other, ``(steps,)``.  A dead load
-        below the pull-off ends the path: then nothing holds the bodies any more.
+        below the pull-off force ends the path, because no equilibrium exists.
     machine_stiffness : float, optional
         k_m [N/m] of the spring between far end and contact, as of a cantilever; infinite for fixed grips.
 
@@ -154,8 +154,8 @@ class AdhesiveCycle:
         Raises
         ------
         OutsideValidity
-            If the contact grows beyond what is known of the profile, a dead load tears it off, or it is no disc: at
-            that step, the states before it have been yielded.
+            If the contact grows beyond the known range of the profile, a dead load pulls it off, or it is not a disc.
+            The error is raised at that step, after all earlier states.
         NotConverged
             If the profile is too rough.
         """
@@ -230,7 +230,7 @@ class AdhesiveCycleSolution(AdhesiveState[Array], Looped):
     def work(self) -> Array:
         """What the machine (or the dead load) has spent since the beginning, the integral of F dD [J], ``(steps,)``.
 
-        Over a path that begins and ends apart it is the work of the cycle, equal to what was dissipated.
+        Over a path that begins and ends without contact it is the work of the cycle, equal to the dissipated energy.
         """
         return np.asarray(self.energy + self.dissipation)
 
@@ -243,8 +243,8 @@ class AdhesiveCycleSolution(AdhesiveState[Array], Looped):
             Note(
                 Assumption.EQUILIBRIUM,
                 Standing.EXACT,
-                f"The edge moves slowly, in {len(self.jumps)} jumps at once; in a jump all that the potential falls by "
-                "is lost, to vibrations and sound: it does not carry the edge beyond the next radius that holds it.",
+                f"The edge moves slowly except in {len(self.jumps)} jumps. In a jump the whole released energy is "
+                "dissipated (vibrations, sound): the edge stops at the next stable radius.",
                 "Griffith's balance at every limit of stability",
             ),
             *self._cycle_notes,
@@ -270,9 +270,9 @@ def _jump(edge: AdhesiveEdge | RangedEdge, leap: Leap) -> AdhesiveJump:
     size = float(np.max(np.abs(inner)) + np.max(np.abs(outer)))
     if loss < -JUMP_ROUNDING * size:
         raise OutsideValidity(
-            f"At a depth of {depth[0]:.6g} m the edge would have to run from {radius[0]:.6g} m to {radius[1]:.6g} m, "
-            f"though that costs {-loss:.3g} J. A ring of the body touches there first, and the contact is no disc: "
-            "give a flatter wave, a softer body or more work of adhesion."
+            f"At a depth of {depth[0]:.6g} m the edge would have to run from {radius[0]:.6g} m to {radius[1]:.6g} "
+            f"m, though that costs {-loss:.3g} J. A ring of the body touches there first, and the contact is not "
+            "a disc: give a flatter wave, a softer body or more work of adhesion."
         )
     position = level if isinstance(edge.control, LoadingMachine) else depth
     before, after = (EdgeState(position[i], depth[i], force[i], radius[i]) for i in range(2))
@@ -283,13 +283,14 @@ def _refuse(edge: AdhesiveEdge | RangedEdge, index: int, level: float, place: fl
     if place >= edge.closing.places[-1] and edge.bed.reach < edge.bed.rim:
         raise OutsideValidity(
             f"At index {index} of the path ({level:.6g}) the contact grows beyond the reach of the profile "
-            f"({edge.bed.reach:.6g} m), where nothing is known of it; turn back earlier or describe more of the body."
+            f"({edge.bed.reach:.6g} m), where its shape is not known; reverse earlier or describe more of the "
+            "body."
         )
     if isinstance(edge.control, DeadLoad) and level < 0.0 and place == edge.apart():
         raise OutsideValidity(
-            f"At index {index} of the path the dead load of {level:.6g} N pulls the bodies apart and nothing holds "
-            f"them any more; the lowest force that this contact can bear is {np.min(edge.opening.levels):.6g} N: stay "
-            "above it once pressed on, or prescribe positions as Depth([...])."
+            f"At index {index} of the path the dead load of {level:.6g} N pulls the bodies apart. The lowest "
+            f"force in equilibrium is {np.min(edge.opening.levels):.6g} N: stay above it once pressed on, or "
+            "prescribe positions as Depth([...])."
         )
 
 

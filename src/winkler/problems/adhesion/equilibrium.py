@@ -35,14 +35,14 @@ LEAST_STATES, MOST_STATES = 2, 1_000_000
 
 @value
 class Equilibrium:
-    """All equilibria of an adhesive contact up to a radius.
+    """All states of equilibrium of an adhesive contact up to a given radius.
 
     Parameters
     ----------
     bed : Bed
     law : ShortRange, Dugdale or DerjaguinMullerToporov
     reach : float
-        The greatest contact radius [m]; not beyond what is known of the profile.
+        The maximum contact radius [m]; not beyond the known range of the profile.
     machine_stiffness : float, optional
         Machine stiffness that decides stability [N/m]: 0 for a dead load, inf for fixed grips (the default).
     count : int, optional

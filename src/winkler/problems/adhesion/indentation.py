@@ -39,7 +39,7 @@ FIXED_GRIPS, DEAD_LOAD = float("inf"), 0.0
 
 @value
 class AdhesiveIndentation(PerLoad[Q]):
-    """A body that sticks to another one.
+    """An adhesive body pressed into another one or pulled off it.
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ class AdhesiveIndentation(PerLoad[Q]):
     law : ShortRange, Dugdale or DerjaguinMullerToporov
         How the surfaces attract each other; with hysteresis, the work of opening counts.
     load : Force, Depth or Radius
-        A force is a dead load, a depth means fixed grips; the value may be an array, the results then have its shape.
+        A force is a dead load, a depth means fixed grips. For an array the results have its shape.
 
     References
     ----------
@@ -85,8 +85,8 @@ class AdhesiveIndentation(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If a load lies below the pull-off (the message names it and the indices) or beyond the reach of the
-            profile, or the law does not hold for this bed.
+            If a load is below the pull-off force (the message names it and the indices) or beyond the reach of the
+            profile. If the law is not valid for this foundation.
         """
         states = states_of(self.bed, self.law)
         given: Q = load_number(self.load)  # type: ignore[assignment]
@@ -142,8 +142,7 @@ class AdhesiveSolution(PerLoad[Q]):
     radius : float or ndarray
         a [m].
     stable : bool or ndarray
-        Whether the state stays under the control of its load; the stability at a prescribed radius is that under a dead
-        load.
+        Whether the state is stable under control of its load; for a prescribed radius, stability under a dead load.
     """
 
     problem: AdhesiveIndentation[Q]
@@ -257,8 +256,8 @@ class AdhesiveSolution(PerLoad[Q]):
             Note(
                 Assumption.EQUILIBRIUM,
                 Standing.EXACT,
-                f"Up to {int(np.max(count))} contact radii are stable under one load; the widest is meant, which is "
-                "left after pressing firmly. AdhesiveCycle follows a history.",
+                f"Up to {int(np.max(count))} contact radii are stable under one load. The largest is returned, "
+                "which remains after firm pressing. AdhesiveCycle follows a load history.",
                 "all limits of stability along the states of equilibrium",
             ),
         )

@@ -86,14 +86,14 @@ class CohesiveStates:
         medium = self.bed.medium
         if not (isinstance(medium, HomogeneousMedium) or offers(medium, PowerOfDepth)):
             raise OutsideValidity(
-                f"Dugdale: what a constant stress does to a {type(medium).__name__} is not known; use "
+                f"Dugdale: a constant stress on a {type(medium).__name__} is not implemented; use "
                 "ShortRange(work), or a HalfSpace, GradedHalfSpace, CoatedHalfSpace, SlidingFilm or "
                 "DepthGradedHalfSpace."
             )
         if offers(medium, PowerOfDepth) and medium.exponent >= 1.0:
             raise OutsideValidity(
-                "Dugdale: Gibson's solid (exponent 1) sinks only where it is pressed, so that a ring of stress cannot "
-                "hold the edge; use ShortRange(work), or an exponent below 1."
+                "Dugdale: Gibson's solid (exponent 1) deflects only where it is loaded, so a ring of stress "
+                "cannot hold the edge; use ShortRange(work), or an exponent below 1."
             )
 
     def end(self) -> float:

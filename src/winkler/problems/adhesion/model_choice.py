@@ -188,11 +188,11 @@ def _reasons(
     )
     wide = "; ".join(f"{each.model} {each.radius:.4g} m ({each.radius_error:+.2%})" for each in models)
     verdicts = {
-        "Hertz": f"Under {float(load.force):.4g} N adhesion changes the contact radius by less than {tolerance:.2g}: "
-        "plain Indentation does; it has no pull-off.",
-        "JKR": f"JKR is within {tolerance:.2g} of Maugis: take ShortRange.",
-        "DMT": f"DMT is within {tolerance:.2g} of Maugis: take DerjaguinMullerToporov.",
-        "Maugis": f"Neither JKR nor DMT is within {tolerance:.2g}: take Dugdale.",
+        "Hertz": f"Under {float(load.force):.4g} N adhesion changes the contact radius by less than "
+        f"{tolerance:.2g} of it. Use Indentation, which has no pull-off.",
+        "JKR": f"JKR differs from Maugis by less than {tolerance:.2g}: use ShortRange.",
+        "DMT": f"DMT differs from Maugis by less than {tolerance:.2g}: use DerjaguinMullerToporov.",
+        "Maugis": f"Both JKR and DMT differ from Maugis by more than {tolerance:.2g}: use Dugdale.",
     }
     region = "JKR (above 5)" if tabor > 5.0 else "DMT (below 0.1)" if tabor < 0.1 else "the transition (0.1 to 5)"
     notes = [
@@ -205,8 +205,9 @@ def _reasons(
         Note(
             Assumption.ADHESION,
             Standing.ASYMPTOTIC,
-            f"At the pull-off attraction stretches the edge by {stretch:.3g} m, its range is {law.range:.3g} m: "
-            f"Tabor's parameter is {tabor:.3g}, Maugis' {MAUGIS_OVER_TABOR * tabor:.3g}, in the region of {region}.",
+            f"At pull-off attraction stretches the edge by {stretch:.3g} m; the range of attraction is "
+            f"{law.range:.3g} m. Tabor's parameter is {tabor:.3g}, Maugis' parameter "
+            f"{MAUGIS_OVER_TABOR * tabor:.3g}: the region of {region}.",
             f"{TABOR}; {GREENWOOD}",
         ),
         Note(Assumption.ADHESION, Standing.EXACT, f"Pull-off under a dead load: {compared}.", EQUATIONS),
@@ -216,8 +217,8 @@ def _reasons(
         Note(
             Assumption.ADHESION,
             Standing.APPROXIMATE,
-            "The true law of attraction is no constant stress; between the limits other laws of equal work and "
-            "strength differ from Maugis by a few percent.",
+            "The true law of attraction is not a constant stress. Between the limits other laws of equal work "
+            "and strength differ from Maugis by a few per cent.",
             GREENWOOD,
         ),
     ]

@@ -32,7 +32,7 @@ MachineStiffness: TypeAlias = Annotated[
 
 @value
 class PullOff:
-    """Where does an adhesive contact come apart?
+    """Pull-off of an adhesive contact.
 
     Parameters
     ----------

@@ -70,14 +70,14 @@ class ShearLimit:
 
 @value
 class AdhesiveShear(PerLoad[Q]):
-    """A contact with attraction of short range that is pressed or pulled, then sheared without slip.  Approximate.
+    """A contact with short-range adhesion under a normal load, sheared without slip (approximate).
 
     Parameters
     ----------
     bed : Bed
         The springs: Foundation(profile, medium).
     law : ShortRange
-        Its work_opening is what the edge has to pay.
+        Its work_opening is the energy that the edge needs per area.
     normal : Force or Depth
         One dead load [N] or one depth [m], constant while shearing; of several contact radii the widest is meant.
     lateral : Shift or ShearForce
@@ -124,13 +124,13 @@ class AdhesiveShear(PerLoad[Q]):
             )
 
     def solve(self) -> AdhesiveShearSolution[Q]:
-        """Return contact radius, shift and shear force, and the greatest that can be borne.
+        """Return contact radius, shift and shear force, and the maximum that can be borne.
 
         Raises
         ------
         OutsideValidity
-            If the normal load alone tears the contact off, or the lateral load is more than it can bear: the message
-            names the indices of an array and the limit.
+            If the normal load alone pulls the contact off, or the lateral load exceeds the limit. The message names the
+            limit and the indices of an array.
         """
         level = float(numbers_of(self.normal))
         widest = float(AdhesiveIndentation(self.bed, self.law, self.normal).solve().radius)
@@ -138,8 +138,8 @@ class AdhesiveShear(PerLoad[Q]):
         place = np.array([widest])
         if float(states.depth_and_force(place)[0][0]) > float(self.bed.gap(place)[0]):
             raise OutsideValidity(
-                f"AdhesiveShear: the edge of the contact is held at a rim ({widest:.6g} m) and pressed there, not "
-                "pulled, so that no balance of energy at the edge limits the shear; press less, or pull."
+                f"AdhesiveShear: the edge of the contact is pinned at a rim ({widest:.6g} m) under compression. "
+                "No energy balance at the edge limits the shear there; use a smaller load, or pull."
             )
         least = states.least_radius(widest)
         prescribed = numbers_of(self.lateral)
@@ -150,8 +150,8 @@ class AdhesiveShear(PerLoad[Q]):
         if beyond.any():
             what, unit = ("shift", "m") if isinstance(self.lateral, Shift) else ("shear force", "N")
             raise OutsideValidity(
-                f"AdhesiveShear: the {what} of {targets[beyond][0]:.6g} {unit}{indices_of(beyond)} tears the contact "
-                f"off; it bears at most {most:.6g} {unit}, at a contact radius of {least:.6g} m."
+                f"AdhesiveShear: the {what} of {targets[beyond][0]:.6g} {unit}{indices_of(beyond)} pulls the "
+                f"contact off; the limit is {most:.6g} {unit}, at a contact radius of {least:.6g} m."
             )
         radius = states.radius(targets**2, least, widest)
         depth, force = states.depth_and_force(radius)
@@ -200,9 +200,9 @@ class AdhesiveShearSolution(PerLoad[Q]):
             Note(
                 Assumption.ADHESION,
                 Standing.APPROXIMATE,
-                "Normal and tangential parts of the energy that is released are added and averaged around the edge, "
-                "whatever the share of the modes. A real contact becomes oval and slips near its edge. It often "
-                "separates at a greater shear force than this.",
+                "The normal and tangential parts of the energy release rate are added with equal weight and "
+                "averaged around the edge. The effect of the mode mixture is neglected. A real contact becomes "
+                "oval and slips near its edge. It often separates at a greater shear force than computed.",
                 SAVKOOR,
             ),
         )
@@ -246,7 +246,7 @@ class _ShearCapacity:
                 return float(places[np.argmax(levels[: falls[0] + 1])])
             high = low
         raise OutsideValidity(
-            f"AdhesiveShear: the contact of {widest:.6g} m bears ever more shear the smaller it gets; its profile is "
+            f"AdhesiveShear: the contact of {widest:.6g} m carries more shear the smaller it gets; its profile is "
             "too pointed for attraction of vanishing range."
         )
 

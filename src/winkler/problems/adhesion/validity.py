@@ -43,7 +43,7 @@ def adhesive_notes(
     widest = float(radius[last])
     notes = [*bed.notes, _law_note(bed, law, widest)]
     if widest == 0.0:
-        touch = "The bodies touch in a point; beyond it they attract each other without contact, which is not followed."
+        touch = "The bodies touch in a point. Attraction beyond this point, without contact, is not computed."
         return (*notes, Note(Assumption.EQUILIBRIUM, Standing.EXACT, touch, "no spring is compressed"))
     notes += shape_notes(bed, widest)
     notes.extend(film_notes(bed, float(depth[last]), float(griffith.force_at(bed, depth[last], radius[last])), widest))
@@ -52,7 +52,7 @@ def adhesive_notes(
             Note(
                 Assumption.EQUILIBRIUM,
                 Standing.EXACT,
-                "The edge of the contact is held by the rim of the body.",
+                "The edge of the contact is pinned at the rim of the body.",
                 "Kendall's flat punch",
             )
         )
@@ -69,9 +69,9 @@ def _law_note(bed: Bed, law: AdhesionLaw, radius: float) -> Note:
         return Note(
             Assumption.ADHESION,
             Standing.EXACT,
-            f"Exact for a constant stress that reaches {law.range:.3g} m, {law.range / stretch:.3g} of what attraction "
-            "without range would stretch the edge; other laws of the same work and strength differ in the transition, "
-            "not in its limits."
+            f"Exact for a constant stress of the range {law.range:.3g} m, which is {law.range / stretch:.3g} of "
+            "the edge stretch in the JKR limit. Other laws of the same work and strength differ in the "
+            "transition, but not in its limits."
             if radius > 0.0
             else "Exact for a constant stress.",
             MAUGIS,
@@ -94,14 +94,14 @@ def _overlap_note(bed: Bed, law: AdhesionLaw, depth: float, radius: float) -> No
         return Note(
             Assumption.SINGLE_CONTACT,
             Standing.OUTSIDE,
-            f"At r = {r[touching][0]:.4g} m the bodies would overlap outside the contact: there a ring has begun to "
-            "touch, and the contact is no disc.",
+            f"At r = {r[touching][0]:.4g} m the bodies would overlap outside the contact. A ring touches there, "
+            "and the contact is not a disc.",
             "separation of the restored surfaces",
         )
     return Note(
         Assumption.SINGLE_CONTACT,
         Standing.EXACT,
-        "The equivalent profile is not known to rise everywhere; that the bodies do not overlap around the contact was "
-        "checked.",
+        "The equivalent profile may decrease somewhere. It was checked that the bodies do not overlap outside "
+        "the contact.",
         "separation of the restored surfaces",
     )

@@ -69,9 +69,9 @@ def widest(
     below = level < least - LIMIT_SLACK * abs(least)
     if below.any():
         raise OutsideValidity(
-            f"{quantity} {level[below][0]:.6g} {unit}{indices_of(below)} is below the pull-off: no contact holds "
-            f"beyond {least:.9g} {unit} ({size} {stable[int(np.argmin(starts))].start:.6g} m); give {least:.9g} {unit} "
-            "or more."
+            f"{quantity} {level[below][0]:.6g} {unit}{indices_of(below)} is below the pull-off: no equilibrium "
+            f"exists beyond {least:.9g} {unit} ({size} {stable[int(np.argmin(starts))].start:.6g} m); give "
+            f"{least:.9g} {unit} or more."
         )
     beyond = level > np.max(stops)
     if beyond.any():

@@ -38,16 +38,22 @@ def range_note(law: AdhesionLaw, stretch: float, where: str) -> Note:
     """
     tabor = stretch / (PULL_OFF_STRETCH * MOLECULAR_RANGE)
     fact = (
-        f"{where} the edge is stretched by {stretch:.3g} m, {stretch / MOLECULAR_RANGE:.3g} times a molecular range of "
-        f"{MOLECULAR_RANGE:.1g} m (Tabor parameter {tabor:.3g})"
+        f"{where} the edge is stretched by {stretch:.3g} m, {stretch / MOLECULAR_RANGE:.3g} times a molecular "
+        f"range of {MOLECULAR_RANGE:.1g} m. The Tabor parameter is {tabor:.3g}"
     )
     if isinstance(law, ShortRange):
         good, bad = tabor >= SHORT_RANGE_TABOR, tabor < MIDDLE_TABOR
-        right, wrong = "attraction without range (JKR) is right", "the attraction reaches farther than JKR allows"
+        right, wrong = (
+            "the limit of short range (JKR) is valid",
+            "the range of attraction is longer than JKR assumes",
+        )
     else:
         good, bad = tabor <= LONG_RANGE_TABOR, tabor > MIDDLE_TABOR
-        right, wrong = "attraction from afar (DMT) is right", "the attraction deforms the edge, which DMT denies"
+        right, wrong = (
+            "the limit of long range (DMT) is valid",
+            "the attraction deforms the edge, which DMT neglects",
+        )
     standing = Standing.ASYMPTOTIC if good else Standing.OUTSIDE if bad else Standing.APPROXIMATE
-    closest = f"take Dugdale(work, strength) with strength = {law.work / MOLECULAR_RANGE:.3g} Pa"
+    closest = f"use Dugdale(work, strength) with strength = {law.work / MOLECULAR_RANGE:.3g} Pa"
     verdict = right if good else f"{wrong if bad else 'between JKR and DMT'}; {closest}"
     return Note(Assumption.ADHESION, standing, f"{fact}: {verdict}.", GREENWOOD)

@@ -38,9 +38,11 @@ NEGLIGIBLE_COUPLING = 1e-12
 SMALL_COUPLING, LARGE_COUPLING = 0.1, 1.0
 """beta/mu, or beta mu, up to which the theory without coupling is the limit, and from which on it is none."""
 VERDICTS = {
-    Standing.ASYMPTOTIC: "they use up a small part of the friction",
-    Standing.APPROXIMATE: "zones of stick and slip are off by terms of the order of beta/mu",
-    Standing.OUTSIDE: "they use up the friction over most of the contact before the bodies are sheared",
+    Standing.ASYMPTOTIC: "The shear tractions use up only a small part of the friction",
+    Standing.APPROXIMATE: "The boundaries of stick and slip zones have errors of the order of beta/mu",
+    Standing.OUTSIDE: (
+        "The shear tractions use up the friction over most of the contact before the bodies are sheared"
+    ),
 }
 FLOWING_MODULUS_RATIO = 1e-6
 """Of the glassy modulus, what stands for that of a solid that flows."""
@@ -135,13 +137,13 @@ def sticking_note(medium: Medium, coefficient: float) -> Note:
     ratio = abs(beta) / coefficient
     stiffer = 100.0 * stuck_stiffening(beta)
     fact = (
-        f"The bodies are elastically dissimilar, Dundurs' beta = {beta:.3g}, {ratio:.3g} of the coefficient of "
-        f"friction: pressing alone causes shear tractions, which are left out. Full sticking makes the contact "
-        f"{stiffer:.2g} % stiffer; pressure is affected more (where the depth differed by 2 %, an incremental solution "
-        "had 23 to 30 % more or less at the peak)"
+        f"The bodies are elastically dissimilar: Dundurs' beta is {beta:.3g}, {ratio:.3g} of the coefficient of "
+        "friction. Normal loading alone causes shear tractions, which are neglected. Full stick makes the "
+        f"contact {stiffer:.2g} % stiffer. The pressure is affected more: in an incremental solution the depth "
+        "differed by 2 % and the peak pressure by 23 to 30 %"
     )
     standing = standing_of(ratio, SMALL_COUPLING, LARGE_COUPLING)
-    return Note(Assumption.UNCOUPLED, standing, f"{fact}; {VERDICTS[standing]}.", SPENCE)
+    return Note(Assumption.UNCOUPLED, standing, f"{fact}. {VERDICTS[standing]}.", SPENCE)
 
 
 def solved_together_note(medium: Medium, coefficient: float, error: str) -> Note:
@@ -161,8 +163,8 @@ def solved_together_note(medium: Medium, coefficient: float, error: str) -> Note
     return Note(
         Assumption.UNCOUPLED,
         Standing.ASYMPTOTIC,
-        f"The bodies are elastically dissimilar, Dundurs' beta = {beta:.3g}: pressures draw the surface along, and "
-        f"tractions sink it; both are solved together. {error}",
+        f"The bodies are elastically dissimilar (Dundurs' beta = {beta:.3g}). Pressures displace the surface "
+        f"tangentially, and tractions displace it normally; both effects are included. {error}",
         SPENCE,
     )
 
@@ -177,8 +179,8 @@ def sliding_note(medium: Medium, coefficient: float) -> Note:
     return Note(
         Assumption.UNCOUPLED,
         standing_of(product, SMALL_COUPLING, LARGE_COUPLING),
-        f"The bodies are elastically dissimilar, Dundurs' beta = {beta:.3g}: sliding changes the pressure by terms of "
-        f"the order of beta times the coefficient of friction, {product:.2g}, which are left out.",
+        f"The bodies are elastically dissimilar (Dundurs' beta = {beta:.3g}). Sliding changes the pressure by "
+        f"terms of the order of beta times the coefficient of friction, {product:.2g}. These terms are neglected.",
         JOHNSON,
     )
 
@@ -194,20 +196,20 @@ def _without_number(medium: Medium, beta: float, coefficient: float) -> Note | N
         return Note(
             Assumption.UNCOUPLED,
             Standing.ASYMPTOTIC if offers(medium, PlaneMedium) else Standing.EXACT,
-            "The surfaces are elastically similar (Dundurs' beta = 0): pressure causes no traction, and traction along "
-            f"the surface no pressure{below}.",
+            "The surfaces are elastically similar (Dundurs' beta = 0): pressure causes no tangential "
+            f"displacement, and traction no normal displacement{below}.",
             SPENCE,
         )
     if math.isnan(beta) or math.isnan(coefficient):
         what = (
             f"{type(medium).__name__} has no Dundurs' constant"
             if math.isnan(beta)
-            else f"Dundurs' beta is {beta:.3g}, and this law has no coefficient of friction to compare it with"
+            else f"Dundurs' beta is {beta:.3g}, and this law of friction has no coefficient to compare it with"
         )
         return Note(
             Assumption.UNCOUPLED,
             Standing.APPROXIMATE,
-            f"{what}: that pressure and traction do not act on each other is assumed, the error is not known.",
+            f"{what}. Coupling of pressure and traction is neglected; the error is not known.",
             SPENCE,
         )
     return None

@@ -19,9 +19,10 @@ JAEGER = (
 MEAN = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "The ratio of tangential to normal stiffness is that of a disc. The outline of the contact is not known; if it "
-    "is no disc, the ratio depends on the direction. On an ellipse the ratio of a disc belongs to the mean of the "
-    "compliances along and across. Each of them deviates from it by 6 % for nu = 0.3 and curvature radii of 1:10.",
+    "The ratio of tangential to normal stiffness is that of a disc. The outline of the contact is not known; if "
+    "it is not a disc, the ratio depends on the direction. For an ellipse the ratio of a disc belongs to the "
+    "mean of both compliances. Each compliance deviates from this mean by 6 % for nu = 0.3 and curvature radii "
+    "of 1:10.",
     MINDLIN,
 )
 
@@ -39,9 +40,9 @@ def direction_notes(bed: Bed) -> tuple[Note, ...]:
         Note(
             Assumption.SLIP,
             Standing.EXACT,
-            f"The shear is along x, where the semi-axis is {1.0 / outline.slenderness:.3g} of that across. The "
-            "tangential stiffness is that of this direction; sticking and slipping parts are similar ellipses "
-            "(Cattaneo, Mindlin).",
+            f"The shear force acts along x; the semi-axis along x is {1.0 / outline.slenderness:.3g} times that "
+            "along y. The tangential stiffness is that along x. The stick zone is an ellipse similar to the "
+            "contact (Cattaneo, Mindlin).",
             "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 7.2, doi:10.1017/CBO9781139171731",
         ),
     )
@@ -51,18 +52,20 @@ def _directional_note(bed: DirectionalBed) -> Note:
     """Return what springs behind a contact of any outline leave out, and how far that leads if it was measured."""
     measured = bed.shift_error > 0.0 or bed.loss_error > 0.0
     error = (
-        "Reference: boundary elements in a loop of 0.9 of the sliding friction at the greatest depth. Shifts differ "
-        f"by up to {_per_cent(bed.shift_error)} % of the greatest, losses by up to {_per_cent(bed.loss_error)} %. "
-        "Where the depth changes losses differ by at most three times as much"
+        "Reference: boundary elements, a loop with 0.9 of the sliding force at the maximum depth. Displacements "
+        f"differ by at most {_per_cent(bed.shift_error)} % of their maximum, the dissipated energy by "
+        f"{_per_cent(bed.loss_error)} %. If the depth varies, the error of the dissipated energy is at most three "
+        "times as large"
         if measured
-        else "ReducedFriction measures the error of that"
+        else "Use ReducedFriction to compute the error of this assumption"
     )
     return Note(
         Assumption.SLIP,
         Standing.APPROXIMATE,
-        f"The shear is along x, with {bed.ratios_along[-1]:.4g} of the normal stiffness at the greatest depth "
-        f"({bed.ratios_across[-1]:.4g} along y), of the contact without slip by boundary elements. The traction is "
-        f"assumed to follow from contacts of lesser depth (Ciavarella, Jaeger), along the shear alone. {error}.",
+        "The shear force acts along x. At the maximum depth the tangential stiffness without slip is "
+        f"{bed.ratios_along[-1]:.4g} of the normal stiffness along x, {bed.ratios_across[-1]:.4g} along y "
+        "(boundary elements). Slip is assumed to follow from normal contacts at smaller depths (Ciavarella, "
+        f"Jaeger), parallel to the shear force. {error}.",
         JAEGER,
     )
 

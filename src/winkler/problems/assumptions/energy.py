@@ -11,7 +11,10 @@ __all__ = ["energy_note", "missing_energy"]
 
 ENERGY_ROUNDING, LARGE_MISSING_ENERGY = 1e-9, 1e-3
 """Part of the greatest energy [-] up to which what is missing is rounding, and from which on energies are not known."""
-CHECK = "work, stored and lost energy compared at each point; the page on validity states where one follows from others"
+CHECK = (
+    "work, stored and dissipated energy compared at each point; the page on validity states where one follows "
+    "from others"
+)
 
 
 def missing_energy(work: ArrayLike, stored: ArrayLike, lost: ArrayLike) -> float:
@@ -38,13 +41,14 @@ def energy_note(work: ArrayLike, stored: ArrayLike, lost: ArrayLike) -> Note:
         verdict = "nothing but rounding"
     elif missing <= LARGE_MISSING_ENERGY:
         standing = Standing.APPROXIMATE
-        verdict = "the error of the energies, below which a loss is not known"
+        verdict = "dissipated energies below this error are not meaningful"
     else:
         standing = Standing.OUTSIDE
-        verdict = "energy without a source: do not use the energies of this solution"
+        verdict = "do not use the energies of this solution"
     return Note(
         Assumption.ENERGY,
         standing,
-        f"Work put in, energy stored and energy lost miss each other by {missing:.2g} of the greatest: {verdict}.",
+        f"The energy balance (work, stored energy, dissipated energy) has an error of {missing:.2g} of the "
+        f"largest of them: {verdict}.",
         CHECK,
     )

@@ -18,8 +18,11 @@ SMALL_STRAIN, LARGE_STRAIN = 0.1, 0.5
 """Mean strain [-] up to which linear elasticity describes a layer, and from which on it does not."""
 VERDICTS = {
     Standing.ASYMPTOTIC: "small, as linear elasticity assumes",
-    Standing.APPROXIMATE: "not small: expect forces that are wrong by about as much",
-    Standing.OUTSIDE: "far from small: press less, or take a thicker layer; linear elasticity does not describe this",
+    Standing.APPROXIMATE: "not small: expect forces with an error of about the same fraction",
+    Standing.OUTSIDE: (
+        "far from small: use a smaller load or a thicker layer, because linear elasticity does not describe this "
+        "contact"
+    ),
 }
 DIMITRIADIS = "E. K. Dimitriadis et al., Biophys. J. 82 (2002) 2798-2810, doi:10.1016/S0006-3495(02)75620-8"
 LONG = "R. Long, M. S. Hall, M. Wu, C.-Y. Hui, Biophys. J. 101 (2011) 643-650, doi:10.1016/j.bpj.2011.06.049"
@@ -69,7 +72,7 @@ def film_note(depth: float, strain: float) -> Note:
     return Note(
         Assumption.FILM,
         standing,
-        f"The depth is {depth:.3g} of the thickness of the layers, which are compressed by {strain:.3g} of it: "
+        f"The depth is {depth:.3g} of the thickness of the layers; their mean compression is {strain:.3g} of it: "
         f"{VERDICTS[standing]}.",
         f"{DIMITRIADIS}; {LONG}",
     )

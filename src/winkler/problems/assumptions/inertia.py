@@ -19,9 +19,9 @@ __all__ = ["wave_loss", "wave_note"]
 SMALL_WAVE_LOSS, LARGE_WAVE_LOSS = 0.02, 0.3
 """Share of the energy that waves carry away [-], up to which slow motion is the limit, and from which on it is none."""
 VERDICTS = {
-    Standing.ASYMPTOTIC: "slow against the speed of sound, as the theory assumes",
-    Standing.APPROXIMATE: "that loss is left out",
-    Standing.OUTSIDE: "too fast for a contact force of slow motion",
+    Standing.ASYMPTOTIC: "slow compared with the speed of sound, as the theory assumes",
+    Standing.APPROXIMATE: "this loss is neglected",
+    Standing.OUTSIDE: "too fast for a quasi-static contact force",
 }
 HUNTER = (
     "S. C. Hunter, J. Mech. Phys. Solids 5 (1957) 162-171, doi:10.1016/0022-5096(57)90002-9; K. L. Johnson, Contact "
@@ -61,15 +61,16 @@ def wave_note(share: float) -> Note:
         return Note(
             Assumption.INERTIA,
             Standing.ASYMPTOTIC,
-            "The contact force is that of slow motion; the size of the body is not known, so it is not checked that "
-            "the impact is slow against the speed of sound, and long against a vibration of the body.",
+            "The contact force is the quasi-static force. The size of the body is not known, so two conditions "
+            "were not checked. The impact must be slow compared with the speed of sound, and long compared with "
+            "a vibration period of the body.",
             HUNTER,
         )
     standing = standing_of(share, SMALL_WAVE_LOSS, LARGE_WAVE_LOSS)
     return Note(
         Assumption.INERTIA,
         standing,
-        f"Waves in the bodies take about {100.0 * share:.2g} % of the energy, if both are as dense as a ball of this "
-        f"mass and size: {VERDICTS[standing]}.",
+        f"Elastic waves carry away about {100.0 * share:.2g} % of the energy, if both bodies have the density of "
+        f"a ball of this mass and size: {VERDICTS[standing]}.",
         HUNTER,
     )

@@ -143,9 +143,9 @@ def pyramid_notes(bed: Bed, medium: Medium, radius: float) -> tuple[Note, ...]:
     tip = bed.profile
     if not isinstance(tip, PyramidShape | RoundedPyramid):
         return ()
-    cone = "The cone that stands for the pyramid has its force on a homogeneous half-space."
+    cone = "The cone that replaces the pyramid has the same force on a homogeneous half-space."
     if not offers(medium, LayerStack) or not _is_coating(medium):
-        text = f"{cone} By how much it is wrong on this body is not known; on layers it is up to 7 % with four faces."
+        text = f"{cone} On this body its error is not known; on layers it is up to 7 % with four faces."
         return (Note(Assumption.SHAPE, Standing.APPROXIMATE, text, SOURCE),)
     top, base, contrast = medium.layers[0].solid, medium.on, math.inf
     assert isinstance(top, Elastic)
@@ -153,12 +153,13 @@ def pyramid_notes(bed: Bed, medium: Medium, radius: float) -> tuple[Note, ...]:
         contrast = base.young / (1.0 - base.poisson**2) / top.young * (1.0 - top.poisson**2)
     wide = radius / medium.thickness
     error = pyramid_layer_error(tip.sides, wide, contrast, top.poisson)
-    several = "" if len(medium.layers) == 1 else " (of one layer with the modulus of the uppermost)"
+    several = "" if len(medium.layers) == 1 else " (computed for one layer with the modulus of the uppermost layer)"
     standing = standing_of(abs(error), SMALL_ERROR, LARGE_ERROR)
-    advice = "" if standing is Standing.ASYMPTOTIC else ", and moduli fitted with it are wrong by as much"
+    advice = "" if standing is Standing.ASYMPTOTIC else ", and fitted moduli have the same error"
     text = (
-        f"{cone} Here, where the contact is {wide:.3g} of the thickness of the layers, its force differs from that of "
-        f"the pyramid by about {error:+.2%}{several}{advice}; below 0.3 of the thickness it differs by less than 1 %."
+        f"{cone} Here the contact radius is {wide:.3g} of the thickness of the layers. The force of the cone "
+        f"differs from that of the pyramid by about {error:+.2%}{several}{advice}. Below 0.3 of the thickness the "
+        "difference is less than 1 %."
     )
     return (Note(Assumption.SHAPE, standing, text, SOURCE),)
 

@@ -37,7 +37,7 @@ HALVINGS = 200
 
 @value
 class ConductanceBounds:
-    """A rough body pressed into another one: bounds of stiffness and conductance.
+    """Bounds of stiffness and conductance of a rough body pressed into another one.
 
     Parameters
     ----------
@@ -89,8 +89,8 @@ class ConductanceBounds:
     def __post_init__(self) -> None:
         if not isinstance(getattr(self.bed, "medium", None), HomogeneousMedium):
             raise OutsideValidity(
-                f"ConductanceBounds: on a {type(self.bed.medium).__name__} stiffness and conductance are not in "
-                "proportion; give a homogeneous medium."
+                f"ConductanceBounds: on a {type(self.bed.medium).__name__} conductance is not proportional to "
+                "stiffness; give a homogeneous medium."
             )
         self._conductance_of_stiffness()
 
@@ -200,12 +200,12 @@ class ConductanceBoundsSolution:
         """How far the bounds can be trusted."""
         return (
             *self.problem.bed.medium.notes,
-            *unknown_yield(self.problem.bed.medium, "it depends on the shape of the roughness"),
+            *unknown_yield(self.problem.bed.medium, "the value depends on the shape of the roughness"),
             Note(
                 Assumption.CONDUCTION,
                 Standing.EXACT,
-                "Rigorous bounds for elastic contact without friction or adhesion, however the roughness looks, as "
-                "long as it stays between the two smooth shapes; they hold for clean metal in all spots.",
+                "Rigorous bounds for elastic contact without friction or adhesion. They hold for every roughness "
+                "between the two smooth shapes, if all spots are clean metal.",
                 BARBER,
             ),
         )

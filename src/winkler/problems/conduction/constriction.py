@@ -30,18 +30,18 @@ __all__ = ["Constriction", "ConstrictionSolution"]
 
 @value
 class Constriction(PerLoad[Q]):
-    """Two conductors pressed together: their contact resistance.
+    """Electrical contact resistance of two conductors pressed together.
 
     Parameters
     ----------
     contact : Indentation
-        How they are pressed together, on any bed: Foundation, PlaneFoundation, EllipticFoundation, or MeasuredBed (a
-        contact of any shape); of many loads, the results have their shape.
+        The mechanical contact, on a Foundation, PlaneFoundation, EllipticFoundation, or MeasuredBed (a contact of any
+        shape). For an array of loads the results have its shape.
     conductors : ElectricalConductors
         What the bodies conduct, and the film between them.
     mean_free_path : float, optional
-        Of the electrons [m], not negative; with it a note states how far the resistance may be off by free flight.
-        Zero (the default) leaves the note out.
+        Mean free path of the electrons [m], not negative; a note states the resulting error of the resistance. Zero
+        (the default) leaves the note out.
 
     Raises
     ------
@@ -89,8 +89,8 @@ class Constriction(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If the load is tensile, leads beyond the reach of the profile or opens a contact that is no disc; if the
-            contact is nearly as wide as a rod; if there is a film or a plating and the area of the contact is unknown.
+            If the load is tensile, is beyond the reach of the profile, or gives a contact that is not a disc. If the
+            contact is nearly as wide as a rod. If there is a film or a plating and the contact area is not known.
         """
         contact, parts = conducting_disc(self.contact, self.conductors)
         shape = np.shape(contact.radius)

@@ -37,8 +37,9 @@ def resistances_of(bed: Bed, conductors: ElectricalConductors | HeatConductors, 
     """
     if isinstance(bed, DirectionalBed) and not bed.homogeneous:
         raise OutsideValidity(
-            f"{type(conductors).__name__}: the springs of a height map on layers do not tell what it conducts, since "
-            "its stiffness is not that of a homogeneous half-space; reduce the map on a HalfSpace."
+            f"{type(conductors).__name__}: the springs of a height map on layers do not determine its "
+            "conductance, because its stiffness is not that of a homogeneous half-space; reduce the map on a "
+            "HalfSpace."
         )
     if any(isinstance(body, Plated) for body in (conductors.first, conductors.second)):
         refuse_unless_round(bed, type(conductors).__name__, "a plating")
@@ -65,40 +66,41 @@ def scope_notes(bed: Bed, conductors: ElectricalConductors | HeatConductors, rad
         first = Note(
             Assumption.CONDUCTION,
             Standing.APPROXIMATE,
-            "Thick bare conductors conduct through this contact like through the disc of equal stiffness; what a film "
-            "spreads and what a rod constricts is taken as at that disc. A film counts by the true area.",
+            "Thick bare conductors conduct through this contact as through the disc of equal stiffness. The "
+            "spreading by a film and the constriction by a rod are computed for this disc. The resistance of a "
+            "film itself is computed with the true area.",
             BARBER,
         )
     elif not isinstance(bed.footprint, RoundOutline):
         first = Note(
             Assumption.CONDUCTION,
             Standing.EXACT,
-            "The contact conducts like the disc of equal stiffness, whatever its shape, if the bodies are homogeneous "
-            "and elastic and the radii of the bed are k / (2 E*).",
+            "A contact of any shape conducts as the disc of equal stiffness. This requires homogeneous, elastic "
+            "bodies and radii of the foundation equal to k / (2 E*).",
             BARBER,
         )
     elif not plain(conductors):
         first = Note(
             Assumption.CONDUCTION,
             Standing.EXACT,
-            "With a film, a plating or a rod conductance and stiffness are not in proportion; the resistance follows "
-            "from the radius of the contact alone.",
+            "With a film, a plating or a rod conductance is not proportional to stiffness. The resistance is "
+            "computed from the contact radius alone.",
             HOLM,
         )
     elif isinstance(bed.medium, HomogeneousMedium):
         first = Note(
             Assumption.CONDUCTION,
             Standing.EXACT,
-            "Conductance and stiffness dF/dd of the contact are in proportion, 2 / (E* (rho_1 + rho_2)); so every "
-            "spring in contact conducts alike.",
+            "The conductance of the contact is 2 / (E* (rho_1 + rho_2)) times its stiffness dF/dd; so every "
+            "spring in contact has the same conductance.",
             BARBER,
         )
     else:
         first = Note(
             Assumption.CONDUCTION,
             Standing.EXACT,
-            "The elastic medium is not homogeneous, so conductance and stiffness are not in proportion; the conductors "
-            "are taken as stated, and the resistance follows from the radius of the contact alone.",
+            "The elastic medium is not homogeneous, so conductance is not proportional to stiffness. The "
+            "conductors are computed as given, and the resistance follows from the contact radius alone.",
             HOLM,
         )
     if widest == 0.0:
@@ -128,8 +130,8 @@ def mean_free_path_note(radius: Array, mean_free_path: float) -> tuple[Note, ...
         Note(
             Assumption.CONTINUUM,
             standing,
-            f"Carriers fly freely over {number:.3g} contact radii (Knudsen number of the narrowest contact): Sharvin's "
-            f"resistance, which is not included, is {100.0 * share:.3g} % of Holm's.",
+            f"The mean free path of the carriers is {number:.3g} times the radius of the narrowest contact "
+            f"(Knudsen number). Sharvin's resistance is {100.0 * share:.3g} % of Holm's and is not included.",
             "Yu. V. Sharvin, Sov. Phys. JETP 21 (1965) 655",
         ),
     )

@@ -106,8 +106,8 @@ def restore_conduction(
     InvalidInput
         If a place is not finite or r negative, the solution is of another kind, or holds many loads.
     OutsideValidity
-        If there is a film, a plating or a rod, or the bed defines the stiffness alone: then the field is not that of a
-        plain disc.
+        If there is a film, a plating or a rod, or the foundation defines only the stiffness: then the field is not that
+        of a plain disc.
     """
     places = []
     for word, coordinate in (("r", r), ("z", z)):

@@ -123,7 +123,7 @@ def hot_at_voltage(cold: ColdContact, voltage: Array) -> HotContact:
             return hot
     if change <= 1e-12 * size:
         return hot
-    raise NotConverged(f"The heated resistances do not settle: they still change by {change / size:.1e}.")
+    raise NotConverged(f"The heated resistances do not converge: they still change by {change / size:.1e}.")
 
 
 def hot_at_current(cold: ColdContact, current: Array) -> HotContact:
@@ -159,8 +159,9 @@ def hot_at_current(cold: ColdContact, current: Array) -> HotContact:
         if np.any(missed & (peak.current < current)):
             place = int(np.flatnonzero(missed & (peak.current < current))[0])
             raise OutsideValidity(
-                f"No voltage drives {current[place]:.4g} A through this contact: its resistance grows with the "
-                f"temperature, and no more than {peak.current[place]:.4g} A flow, at {high[place]:.3g} V; give less."
+                f"No voltage drives {current[place]:.4g} A through this contact, because its resistance grows "
+                f"with the temperature. The maximum current is {peak.current[place]:.4g} A, at {high[place]:.3g} "
+                "V; give less."
             )
     return hot_at_voltage(cold, _met(cold, current, low, high))
 

@@ -41,17 +41,17 @@ KOHLRAUSCH = "R. Holm, Electric Contacts, 4th edition, Springer 1967, section 13
 
 @value
 class JouleHeating(PerLoad[Q]):
-    """A current through two conductors pressed together.
+    """Heating of a contact by an electric current.
 
     Parameters
     ----------
     contact : Indentation
-        How they are pressed together, on any bed: Foundation, PlaneFoundation, EllipticFoundation, or MeasuredBed (a
-        contact of any shape); of many loads, the results have their shape.
+        The mechanical contact, on a Foundation, PlaneFoundation, EllipticFoundation, or MeasuredBed (a contact of any
+        shape). For an array of loads the results have its shape.
     conductors : ElectricalConductors
         What the bodies conduct, and the film between them.
     drive : Current or Voltage
-        What is sent through; of several voltages at which a current flows, the lowest is taken.
+        Prescribed current or voltage; if several voltages give the same current, the lowest is returned.
     law : WiedemannFranz, optional
         How heat and current conduction go together; with Sommerfeld's Lorenz number unless given.
     temperature : float, optional
@@ -107,8 +107,9 @@ class JouleHeating(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            As for `winkler.problems.conduction.constriction.Constriction.solve`; if no voltage drives the current
-            through the ever hotter contact; if a plating and what carries it resist differently as they are heated.
+            As for `winkler.problems.conduction.constriction.Constriction.solve`. If no voltage drives the current
+            through the contact as it heats up. If the resistivities of plating and substrate have different temperature
+            coefficients.
         InvalidInput
             If a current is sent through bodies that do not touch.
         """
@@ -203,8 +204,8 @@ def _coefficient(body: ConductingBody) -> float:
     coefficients = {part.temperature_coefficient for part in parts_of(body) if isinstance(part, ElectricalConductor)}
     if len(coefficients) > 1:
         raise OutsideValidity(
-            "JouleHeating: a plating and what carries it have different temperature coefficients, so the current would "
-            "deviate from their plane as they are heated; give both the same one, or zero."
+            "JouleHeating: plating and substrate have different temperature coefficients, so the current "
+            "distribution would change with heating; give equal coefficients, or zero."
         )
     return coefficients.pop()
 
@@ -220,7 +221,7 @@ class JouleHeatingSolution(ConductingSolution["JouleHeatingSolution[float]", Q])
     contact : IndentationSolution
         The contact, of the shape of the load.
     resistance, cold_resistance : float or ndarray
-        Voltage over current [ohm], and what it would be without heating; infinite without contact.
+        Voltage over current [ohm], and the value without heating; infinite without contact.
     current, voltage : float or ndarray
         I [A]; V [V] between the ends.
     film_voltage : float or ndarray
@@ -228,7 +229,7 @@ class JouleHeatingSolution(ConductingSolution["JouleHeatingSolution[float]", Q])
     heat_rate : float or ndarray
         Joule heat I V [W].
     contact_temperature : float or ndarray
-        T_c [K] where the bodies touch; of a spot whose voltage varies that of its mean over the current.
+        T_c [K] of the contact; if its voltage varies, the temperature at the mean voltage of the current.
     middle_temperature, edge_temperature : float or ndarray
         T_c [K] on the axis and at the edge of the spot, which differ between unlike platings.
     max_temperature : float or ndarray
@@ -267,8 +268,8 @@ class JouleHeatingSolution(ConductingSolution["JouleHeatingSolution[float]", Q])
                 Assumption.CONDUCTION,
                 Standing.EXACT,
                 "Steady state. Temperature follows from voltage for a contact of any shape, if the metals obey "
-                "Wiedemann's and Franz' law with one Lorenz number. The ends are kept at the temperature of the "
-                "bodies, and nothing is lost around them; thermoelectric effects are left out.",
+                "the Wiedemann-Franz law with one Lorenz number. The ends have the temperature of the bodies, "
+                "and no heat leaves through other surfaces. Thermoelectric effects are neglected.",
                 KOHLRAUSCH,
             ),
         ]
@@ -283,9 +284,9 @@ class JouleHeatingSolution(ConductingSolution["JouleHeatingSolution[float]", Q])
                 Note(
                     Assumption.CONDUCTION,
                     Standing.EXACT if alike else Standing.APPROXIMATE,
-                    f"Between unlike platings the spot has no single temperature: {middle[worst]:.5g} K on its axis, "
-                    f"{edge[worst]:.5g} K at its edge, {mean[worst]:.5g} K at the mean voltage of the current"
-                    + ("." if alike else "; the current lines are those of the cold contact."),
+                    f"Between different platings the spot has no single temperature: {middle[worst]:.5g} K on its "
+                    f"axis, {edge[worst]:.5g} K at its edge, {mean[worst]:.5g} K at the mean voltage of the "
+                    "current" + ("." if alike else ("; the current distribution is that of the cold contact.")),
                     "own solution: with heat flowing as the current, L (T^2 - T_0^2) is the product of both voltages",
                 )
             )
@@ -294,8 +295,8 @@ class JouleHeatingSolution(ConductingSolution["JouleHeatingSolution[float]", Q])
                 Note(
                     Assumption.CONDUCTION,
                     Standing.ASYMPTOTIC,
-                    "The contact is taken as of one voltage and one temperature, as it is while it is narrow beside "
-                    "the rods.",
+                    "The contact is assumed to have one voltage and one temperature, which is accurate while it "
+                    "is narrow compared with the rods.",
                     KOHLRAUSCH,
                 )
             )
@@ -304,7 +305,8 @@ class JouleHeatingSolution(ConductingSolution["JouleHeatingSolution[float]", Q])
                 Note(
                     Assumption.CONDUCTION,
                     Standing.APPROXIMATE,
-                    "The heat of the film is taken as spread like the current, and the contact as of one temperature.",
+                    "The heat of the film is assumed to be distributed as the current, and the contact to "
+                    "have one temperature.",
                     KOHLRAUSCH,
                 )
             )
@@ -313,9 +315,9 @@ class JouleHeatingSolution(ConductingSolution["JouleHeatingSolution[float]", Q])
                 Note(
                     Assumption.TEMPERATURE,
                     Standing.OUTSIDE,
-                    f"The hottest place has {float(np.max(self.max_temperature)):.4g} K: metals soften there, and the "
-                    "elastic contact, its radius and its resistance change; compare the softening voltage, "
-                    "WiedemannFranz().voltage_at(temperature).",
+                    f"The maximum temperature is {float(np.max(self.max_temperature)):.4g} K. Metals soften "
+                    "there, and the elastic contact, its radius and its resistance change. Compare the softening "
+                    "voltage, WiedemannFranz().voltage_at(temperature).",
                     KOHLRAUSCH,
                 )
             )

@@ -36,7 +36,7 @@ MOST_SPREADING = (1.5 - 2.0 * math.log(2.0)) / math.pi
 
 @value
 class LineConstriction(PerLoad[Q]):
-    """Two conductors in line contact: their contact resistance, per length, against points that are stated.
+    """Contact resistance per length of two conductors in line contact, between given reference points.
 
     Parameters
     ----------
@@ -105,7 +105,7 @@ class LineConstriction(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If the load is refused by `LineIndentation`.
+            If `LineIndentation` does not support the load.
         """
         contact = self.contact.solve()
         half_width = np.asarray(contact.half_width, dtype=float)
@@ -186,22 +186,27 @@ class LineConstrictionSolution(PerLoad[Q]):
         reference = Note(
             Assumption.CONDUCTION,
             Standing.EXACT,
-            "Half-planes of constant resistivity that conduct through one strip of one voltage, counted between "
-            f"points {self.problem.first_depth:.4g} m and {self.problem.second_depth:.4g} m below the middle of the "
-            "surfaces. Twice the depth costs rho ln(2)/pi more; there is no resistance without a stated depth.",
+            "Half-planes of constant resistivity with a contact strip of uniform voltage. The resistance applies "
+            f"between points {self.problem.first_depth:.4g} m and {self.problem.second_depth:.4g} m below the "
+            "middle of the surfaces. Twice the depth adds rho ln(2)/pi; without a stated depth the resistance is "
+            "not defined.",
             HOLM,
         )
         notes = [*self.contact.validity, reference]
         nearest = min(self.problem.first_depth, self.problem.second_depth)
         if widest > nearest:
-            near = f"The strip, of the half-width {widest:.3g} m, is wider than the point at {nearest:.3g} m is deep."
+            near = (
+                f"The half-width of the strip is {widest:.3g} m, more than the depth of the nearer point, "
+                f"{nearest:.3g} m."
+            )
             notes.append(Note(Assumption.CONDUCTION, Standing.APPROXIMATE, near, HOLM))
         if self.problem.conductors.film.area_resistance > 0.0:
             most = MOST_SPREADING * sum(self.problem._resistivities)
             share = most / float(np.min(self.resistance_per_length))
             spread = (
-                "The film is counted in series with the strip of one voltage, which is a lower bound. That it "
-                f"spreads the current costs at most {most:.3g} ohm m more, {100.0 * share:.2g} % of the resistance."
+                "The film is computed in series with a strip of uniform voltage, which is a lower bound. The "
+                f"spreading of the current by the film adds at most {most:.3g} ohm m, {100.0 * share:.2g} % of "
+                "the resistance."
             )
             notes.append(Note(Assumption.CONDUCTION, Standing.APPROXIMATE, spread, "two bounds, by Rayleigh's theorem"))
         return tuple(notes)

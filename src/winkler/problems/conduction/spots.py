@@ -39,7 +39,7 @@ GREENWOOD = (
 
 @value
 class SpotCluster:
-    """Two thick conductors that touch in round spots of one plane.
+    """Two thick conductors in contact through round spots of one plane.
 
     Parameters
     ----------
@@ -179,14 +179,14 @@ class SpotClusterSolution:
             Note(
                 Assumption.RESOLUTION,
                 standing_left(self.uncertainty),
-                f"All spots have one voltage; the resistance is within {self.uncertainty:.1g} of itself, twice the "
-                "change in the last refinement.",
+                "All spots have one voltage. The relative error of the resistance is at most "
+                f"{self.uncertainty:.1g}, twice the change in the last refinement.",
                 "W. Wolfe's eigenfunctions of the disc, Galerkin's method",
             ),
             Note(
                 Assumption.RESOLUTION,
                 Standing.APPROXIMATE,
-                f"Greenwood's estimate, with currents in proportion to the radii, is off by "
+                "Greenwood's estimate, with currents proportional to the radii, differs by "
                 f"{100.0 * (self.greenwood / self.resistance - 1.0):.2g} %.",
                 GREENWOOD,
             ),

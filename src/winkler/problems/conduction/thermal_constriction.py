@@ -29,13 +29,13 @@ __all__ = ["ThermalConstriction", "ThermalConstrictionSolution"]
 
 @value
 class ThermalConstriction(PerLoad[Q]):
-    """Two bodies of different temperature pressed together: the heat that flows.
+    """Heat flow between two bodies of different temperature pressed together.
 
     Parameters
     ----------
     contact : Indentation
-        How they are pressed together, on any bed: Foundation, PlaneFoundation, EllipticFoundation, or MeasuredBed (a
-        contact of any shape); of many loads, the results have their shape.
+        The mechanical contact, on a Foundation, PlaneFoundation, EllipticFoundation, or MeasuredBed (a contact of any
+        shape). For an array of loads the results have its shape.
     conductors : HeatConductors
         What the bodies conduct, and how well heat passes between the surfaces.
     temperature_drop : float
@@ -165,8 +165,8 @@ class ThermalConstrictionSolution(ConductingSolution["ThermalConstrictionSolutio
         steady = Note(
             Assumption.STEADY,
             Standing.ASYMPTOTIC,
-            f"Steady state: within 9 % after {known}, ten times the square of the contact radius over the diffusivity; "
-            "transients are not included.",
+            f"Steady state is assumed. It is reached within 9 % after {known}, ten times the squared contact "
+            "radius over the diffusivity. Transients are not included.",
             "H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, 2nd edition, Oxford 1959",
         )
         return (*self._disc_notes, steady)

@@ -77,15 +77,15 @@ AMPLITUDE_ADVICE = Advice("how far to each side; turn the phase by pi instead of
 
 @value
 class BimodalDamping(PerLoad[Q]):
-    """A contact that is pressed and pushed along the surface in harmonic motion, d_0 + A_z cos, A_x cos(. + phase).
+    """A contact with harmonic normal and tangential motion, d_0 + A_z cos(.) and A_x cos(. + phase).
 
     Parameters
     ----------
     bed : Bed
-        The springs, on a homogeneous or power-law medium, bonded layers or a grading in depth; without slip on any
-        whose k_x is known.
+        The foundation, on a homogeneous or power-law medium, bonded layers or a body graded in depth. Without slip, on
+        any medium with known k_x.
     law : Coulomb
-        Friction; an infinite coefficient if nothing slides (relaxation damping), zero is refused.
+        Friction. An infinite coefficient excludes slip (relaxation damping); zero is not supported.
     depth : float
         Mean depth d_0 [m].
     depth_amplitude : float
@@ -98,23 +98,23 @@ class BimodalDamping(PerLoad[Q]):
         How often the contact is pressed and pushed in a closed cycle; without a common divisor.  A frequency ratio of
         3/2 is three lateral cycles to two normal ones.
     method : Method, optional
-        How slip is followed: AUTO, EXACT (springs of one gap as one) or RINGS; by default springs where they are alike,
-        and rings elsewhere.
+        The method for slip: AUTO, EXACT (springs of equal gap together) or RINGS. By default springs if all have one
+        stiffness ratio, and rings otherwise.
     frequency : float, optional
-        Of the closed cycle [Hz], of bodies that relax; elastic ones take none.
+        Frequency of the closed cycle [Hz] for viscoelastic bodies; not allowed for elastic ones.
     count : int, optional
-        How many springs of bodies that relax; the error falls with its square, where nothing slides with itself.
+        Number of springs of viscoelastic bodies; the error falls with its square, without slip linearly.
     tolerance : float, optional
-        On bodies that relax the error of a step, as of `Tangential`.
+        On viscoelastic bodies the error of a step, as of `Tangential`.
 
     Raises
     ------
     InvalidInput
-        If one of them is out of bounds, the shapes do not go together, or the method is another one.  If bodies relax
-        and there is no frequency, or they flow for ever, have a dashpot alongside, or are layers that relax each by
-        its own law; if they do not relax and there is a frequency.
+        If one of them is out of bounds, the shapes do not go together, or the method is another one.  If viscoelastic
+        bodies have no frequency, are liquids at long times, have a dashpot in parallel, or have layers with separate
+        relaxation functions. If elastic bodies have a frequency.
     OutsideValidity
-        If rings are asked for on a medium whose rings are not known, or a contact that is no disc.
+        If rings are requested on a medium that does not support them, or for a contact that is not a disc.
 
     References
     ----------
@@ -190,11 +190,11 @@ class BimodalDamping(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If the bodies never touch, the profile ends before the greatest depth, the springs are neither alike nor
-            rings of a coating, or not alike while the method is exact, or a closed cycle on a coating holds more than
-            50 oscillations.
+            If the bodies never touch, or the profile ends before the maximum depth. If the springs have different
+            stiffness ratios, and the medium is not a coating or the method is exact. If a closed cycle on a coating has
+            more than 50 oscillations.
         NotConverged
-            If the profile is too rough, or cycles of bodies that relax do not repeat.
+            If the profile is too rough, or cycles of viscoelastic bodies do not repeat.
         """
         if self.relaxes:
             return self._relaxing()
@@ -251,8 +251,8 @@ class BimodalDamping(PerLoad[Q]):
         cycles : int, optional
             How many closed cycles.
         count : int, optional
-            Points of each, evenly spaced, beside those where depth or shift turn.  Straight pieces cut corners: losses
-            are off by the square of the distance of points.
+            Points of each, evenly spaced, in addition to the reversals of depth and displacement.  The path between
+            points is straight, so dissipated energies have an error of second order in the point spacing.
         """
         n, m = self.normal_cycles, self.lateral_cycles
         aside = np.mod(np.arange(2 * m) / 2 - phase / (2.0 * np.pi), m) / m
@@ -320,7 +320,7 @@ class BimodalDampingSolution(DampingSolution[Q]):
     problem : BimodalDamping
         The problem that was solved.
     pressing_loss : float
-        What of the loss the depth alone costs in bodies that relax [J]; it is lost without a shift, too.
+        What of the loss the depth alone costs in viscoelastic bodies [J]; it is lost without a shift, too.
     """
 
     __words__ = words(pressing_loss=("W_d", "J", "what of the loss of a cycle the depth alone costs"))
@@ -332,7 +332,7 @@ class BimodalDampingSolution(DampingSolution[Q]):
     def loss_stiffness(self) -> Q:
         """Loss per lateral cycle over pi A_x^2 [N/m]; divided by the lateral angular frequency, the viscous damper.
 
-        What the depth alone costs is left out.
+        The dissipation due to the normal motion alone is not included.
         """
         moved = np.broadcast_to(self.problem.shift_amplitude, np.shape(self.loss_per_cycle))
         return per_unit(

@@ -60,7 +60,7 @@ FORCE_ROUNDING = 1e-12
 
 @value
 class FrictionDamping(PerLoad[Q]):
-    """A contact pushed to and fro along the surface, under a steady normal load.
+    """A contact under a steady normal load and oscillating tangential displacement.
 
     Parameters
     ----------
@@ -71,26 +71,25 @@ class FrictionDamping(PerLoad[Q]):
     normal : Depth or Force
         The steady normal load, one number.
     amplitude : Shift or ShearForce
-        How far to each side the contact is pushed, half of the whole stroke; may be an array, the results then have
-        its shape.  Zero or more.
+        Amplitude to each side, half of the stroke. For an array the results have its shape.  Zero or more.
     method : Method, optional
-        How slip is followed.  By default rings on bonded layers and gradings, as far as an outer ring slides first, and
-        springs elsewhere.
+        How slip is followed.  By default rings on bonded layers and graded bodies if slip begins in the outer annulus,
+        and springs otherwise.
     frequency : float, optional
-        Of the oscillation [Hz], of bodies that relax; elastic ones take none.
+        Frequency of the oscillation [Hz] for viscoelastic bodies; not allowed for elastic ones.
     count : int, optional
-        How many springs of bodies that relax; the error falls with its square, where nothing slides with itself.
+        Number of springs of viscoelastic bodies; the error falls with its square, without slip linearly.
     tolerance : float, optional
-        On bodies that relax the error of a step, as of `Tangential`.
+        On viscoelastic bodies the error of a step, as of `Tangential`.
 
     Raises
     ------
     InvalidInput
         If the law is not Coulomb's, its coefficient not positive and finite, the normal load an array, or an amplitude
-        negative.  If bodies relax and there is no frequency, or they flow for ever, have a dashpot alongside, or are
-        layers that relax each by its own law; if they do not relax and there is a frequency.
+        negative.  If viscoelastic bodies have no frequency, are liquids at long times, have a dashpot in parallel, or
+        have layers with separate relaxation functions. If elastic bodies have a frequency.
     OutsideValidity
-        If rings are asked for on another medium, or a contact that is no disc.
+        If rings are requested on another medium, or for a contact that is not a disc.
 
     References
     ----------
@@ -154,10 +153,10 @@ class FrictionDamping(PerLoad[Q]):
         ------
         OutsideValidity
             If a shear force exceeds the coefficient times the normal force: the bodies would slide away.  If the bodies
-            do not touch.  If the method is exact, and the stiffnesses of the springs have no common ratio; if it is
-            rings, and none slides before all do.
+            do not touch.  If the method is exact, and the springs have different stiffness ratios. If the method is
+            rings, and no annulus slips before full sliding.
         NotConverged
-            If the profile is too rough, or cycles of bodies that relax do not repeat.
+            If the profile is too rough, or cycles of viscoelastic bodies do not repeat.
         """
         if self.relaxes:
             return self._relaxing()
@@ -179,7 +178,7 @@ class FrictionDamping(PerLoad[Q]):
         return FrictionDampingSolution(self, contact, 0.0, *columns)
 
     def cycle(self, amplitude: float) -> SteadyCycle:
-        """Return the cycle of bodies that relax at one amplitude [m] or [N]."""
+        """Return the cycle of viscoelastic bodies at one amplitude [m] or [N]."""
         depth, lateral = depth_at_rest(self.bed, self.normal), type(self.amplitude)
         swing = Swing(1.0 / self.frequency, depth, 0.0, lateral, amplitude, -0.5 * math.pi)
         return steady_cycle("FrictionDamping", self.bed, self.law, swing, self.count, self.tolerance)
@@ -319,10 +318,10 @@ class FrictionDampingSolution(DampingSolution[Q]):
 
     @property
     def loss_factor(self) -> Q:
-        """W / (pi F_x U) [-]: the loss per radian over the greatest energy of a spring with the secant stiffness.
+        """W / (pi F_x U) [-]: the loss per radian over the maximum energy of a spring with the secant stiffness.
 
-        Zero at no amplitude, 4/pi for sliding throughout; twice the damping ratio.  Of bodies that relax, without slip,
-        the sine of the loss angle.
+        Zero at no amplitude, 4/pi for sliding throughout; twice the damping ratio.  Of viscoelastic bodies, without
+        slip, the sine of the loss angle.
         """
         return loss_factor(self.loss_per_cycle, self.shift, self.shear_force)
 
@@ -351,7 +350,8 @@ def _springs(problem: FrictionDamping, contact: IndentationSolution) -> Slipping
             return rings
         if problem.method is Method.RINGS:
             raise OutsideValidity(
-                f"FrictionDamping: no ring slides before all of this contact does; give the method {Method.SPRINGS}."
+                "FrictionDamping: no annulus slips before full sliding of this contact; give the method "
+                f"{Method.SPRINGS}."
             )
     if problem.method is Method.EXACT:
         exact_ratio("FrictionDamping", bed, radius)

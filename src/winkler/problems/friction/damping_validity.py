@@ -21,22 +21,21 @@ JAEGER = "J. Jaeger, Arch. Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661
 STEADY = Note(
     Assumption.STEADY,
     Standing.EXACT,
-    "The loss is that of every cycle from the second on: each spring's cycle takes its displacement to the "
-    "nearest point of one fixed interval, and once there it stays.",
-    "composition of the springs' own steps, each of which is such a projection and a shift",
+    "From the second cycle on every spring repeats its motion, and the dissipated energy per cycle is constant.",
+    "the displacement of each spring is projected on a fixed interval in every step",
 )
 ALONG = Note(
     Assumption.SLIP,
     Standing.ASYMPTOTIC,
-    "Tractions are taken along the motion (Cattaneo-Mindlin); within that, every spring sticks and slides as "
-    "its ring of the contact does. Where Poisson's ratio is not zero, points slide at a small angle to it, "
-    "nu/(4 - 2 nu) at most.",
+    "Tractions are assumed parallel to the motion (Cattaneo-Mindlin). Under this assumption every spring sticks "
+    "and slips with its annulus of the contact. If Poisson's ratio is not zero, the true slip deviates from the "
+    "motion by an angle of at most nu/(4 - 2 nu).",
     JOHNSON,
 )
 SLOW = Note(
     Assumption.INERTIA,
     Standing.ASYMPTOTIC,
-    "The motion is slow: inertia, waves and damping within the bodies are left out.",
+    "The motion is slow: inertia, waves and damping inside the bodies are neglected.",
     "quasi-static contact of elastic bodies",
 )
 
@@ -62,25 +61,26 @@ def damping_notes(bed: Bed, radius: float, coefficient: float, rings: bool = Fal
         alone = Note(
             Assumption.SLIP,
             Standing.EXACT,
-            "Springs of one gap stick and slide together, since their stiffnesses have one ratio "
-            f"({least:.4g}): sums over springs are the three-dimensional sums within Cattaneo-Mindlin.",
+            f"All springs have the same ratio of tangential to normal stiffness ({least:.4g}), so springs of "
+            "equal gap stick and slip together. Sums over the springs are equal to the three-dimensional "
+            "integrals under the Cattaneo-Mindlin assumption.",
             JAEGER,
         )
     elif math.isinf(coefficient):
         alone = Note(
             Assumption.SLIP,
             Standing.EXACT,
-            "Nothing slides: springs bear what the stiffness k_x(a) of a disc without slip grows by with its radius, "
-            "and what leaves the contact loses what it bore.",
+            "Nothing slips. The stiffness of the springs is the derivative of the no-slip stiffness k_x(a) of a "
+            "disc with respect to its radius. A spring that leaves the contact loses its tangential load.",
             "superposition of discs of all radii, each moved along the surface as a whole",
         )
     else:
         alone = Note(
             Assumption.SLIP,
             Standing.APPROXIMATE,
-            f"The tangential stiffness of the springs is between {least:.3g} and {greatest:.3g} of the "
-            "normal one: that springs slide by themselves is then an assumption, not a theorem; the error is "
-            "not known, and is expected to be of the order of the spread of that ratio.",
+            f"The ratio of tangential to normal spring stiffness varies between {least:.3g} and {greatest:.3g}. "
+            "Independent slip of the springs is then an assumption, not a theorem. Its error is not known; it is "
+            "expected to be of the order of the spread of this ratio.",
             POPOV_HESS,
         )
     return (alone, sticking_note(bed.medium, coefficient), *direction_notes(bed), ALONG, SLOW)

@@ -39,15 +39,15 @@ POPOV = "M. Popov, V. L. Popov, R. Pohrt, Sci. Rep. 5 (2015) 16189, doi:10.1038/
 STICKING = Note(
     Assumption.SLIP,
     Standing.ASYMPTOTIC,
-    "Nothing slides, and the bodies move little along the surface while the depth goes once to and fro: the "
-    "coefficient of friction must be large against v/(omega A_z) times G*/E*.",
+    "No slip is assumed, and little tangential motion during one period of the normal oscillation. This requires "
+    "a coefficient of friction much greater than v/(omega A_z) times G*/E*.",
     POPOV,
 )
 
 
 @value
 class RelaxationDamper:
-    """A contact whose depth oscillates fast, moved slowly along its surface without sliding.
+    """Slow tangential motion without slip of a contact whose depth oscillates fast.
 
     Parameters
     ----------
@@ -91,7 +91,7 @@ class RelaxationDamper:
     needs_round: ClassVar[str] = ""
 
     def solve(self) -> RelaxationDamperSolution:
-        """Return the damper, and the spring beside it.
+        """Return the damper, and the spring in parallel with it.
 
         Returns
         -------
@@ -100,7 +100,7 @@ class RelaxationDamper:
         Raises
         ------
         OutsideValidity
-            If the bodies never touch, or the profile ends before the greatest depth.
+            If the bodies never touch, or the profile ends before the maximum depth.
         NotConverged
             If the profile is too rough.
         """
@@ -137,7 +137,7 @@ class RelaxationDamperSolution:
     problem : RelaxationDamper
         The problem that was solved.
     contact : IndentationSolution
-        The contact at its greatest depth.
+        The contact at its maximum depth.
     damping : float
         Mean shear force over speed [N s/m].
     shear_stiffness : float

@@ -582,9 +582,9 @@ def make_room(stack: SlipStack) -> None:
 
 
 def refuse(force: float, most: float) -> None:
-    """Refuse a shear force [N] where friction bears less [N]."""
+    """Refuse a shear force [N] above the friction limit [N]."""
     raise OutsideValidity(
-        f"a shear force of {force:.6g} N is prescribed where friction bears {most:.6g} N at most, and the bodies "
+        f"a shear force of {force:.6g} N is prescribed, but the friction limit is {most:.6g} N, and the bodies "
         "would slide away; give a smaller one, or a Shift."
     )
 

@@ -103,9 +103,9 @@ class SpringState(RoundNormal[float]):
 IN_PLANE = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "In the plane every spring slips along its own displacement. Forces and energies are sensible, but the traction "
-    "restored over the contact is not admissible everywhere. It exceeds the coefficient times the pressure by 5 % "
-    "after two strokes at a right angle; it grows like a logarithm at the edge of the stick zone of a circle.",
+    "In planar motion every spring slips along its own displacement. The restored traction is not admissible "
+    "everywhere. It exceeds mu times the pressure by 5 % after two strokes at a right angle. For circular motion "
+    "the excess grows logarithmically at the edge of the stick zone.",
     "measured on a sphere, each stroke or the circle's radius half the shift of gross slip; tests/problems/"
     "friction/test_single_springs.py",
 )
@@ -113,16 +113,17 @@ IN_PLANE = Note(
 DROPPING = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "A spring that begins to slip drops to its kinetic bound, by itself: the edge of the stick zone is then a jump. "
-    "Forces and energies are of first order in the distance of the springs; restored tractions are singular there. "
-    "Between two points depth and shift go straight: where a prescribed force bends their path, give more points.",
+    "Each spring that begins to slip drops to its kinetic bound, so the traction jumps at the edge of the stick "
+    "zone. Errors of force and energy are of first order in the spring spacing; restored tractions are singular "
+    "there. Depth and displacement are assumed to vary linearly between two points. If a prescribed force curves "
+    "their path, give more points.",
     "property of the rule; the theory of Cattaneo and Mindlin has one coefficient only",
 )
 OF_SPRINGS = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "The law of friction bounds the load of every spring, not the traction at every point. Only where the bound is "
-    "in proportion to the load are the two the same.",
+    "The law of friction limits the load of every spring, not the traction at every point. Both limits are "
+    "equivalent only if the bound is proportional to the load.",
     "Coulomb friction is the case in which they are: M. Ciavarella, Int. J. Solids Struct. 35 (1998) 2349-2362, "
     "doi:10.1016/S0020-7683(97)00154-6",
 )
@@ -145,10 +146,10 @@ def spring_notes(springs: Springs, law: SpringLaw, *, in_plane: bool) -> tuple[N
         Note(
             Assumption.RESOLUTION,
             Standing.ASYMPTOTIC,
-            f"{count} springs: shear force and energies are of second order in their distance; under a sphere the "
-            f"error of the shear force is below {1.0 / count**2:.1g} of the coefficient times the normal force. "
-            f"Where a prescribed force bends the step between two points, they are followed to "
-            f"{CURVED_STEP_TOLERANCE:.0e} of the greatest displacement.",
+            f"{count} springs: errors of shear force and energies are of second order in their spacing. Under a "
+            f"sphere the error of the shear force is below {1.0 / count**2:.1g} of the coefficient times the "
+            "normal force. If a prescribed force curves the path between two points, the springs are followed "
+            f"within {CURVED_STEP_TOLERANCE:.0e} of the maximum displacement.",
             "compared with the exact solution for one direction, tests/convergence/test_order_springs.py",
         )
     ]
@@ -164,10 +165,10 @@ def spring_notes(springs: Springs, law: SpringLaw, *, in_plane: bool) -> tuple[N
             Note(
                 Assumption.SLIP,
                 Standing.APPROXIMATE,
-                "The ratio of tangential to normal stiffness is not the same for all springs (it varies by "
-                f"{100.0 * spread:.2g} %). Tangential tractions then differ in shape from pressures; a bound for "
-                "every spring is not a bound for every point of the surface. Compared with the method rings, shear "
-                "forces were off by up to 8 % of the friction on soft coatings, by up to 44 % on hard ones.",
+                f"The ratio of tangential to normal stiffness varies between the springs by {100.0 * spread:.2g} "
+                "%. A friction bound for every spring is then not a bound for every point of the surface. "
+                "Reference: the method rings. Shear forces differed by up to 8 % of the sliding force on soft "
+                "coatings, by up to 44 % on hard ones.",
                 "tests/problems/friction/test_slip_on_layers.py; the table of docs/chapters/coatings.md",
             )
         )

@@ -61,7 +61,7 @@ State = TangentialState | SpringState | PushedState | DraggedState
 
 @value
 class Tangential:
-    """A body pressed and moved along the surface on a path, with friction.
+    """A body pressed and moved tangentially along a path of loads, with friction.
 
     Parameters
     ----------
@@ -72,24 +72,25 @@ class Tangential:
     path : Path
         Depth or normal force, and shift or shear force, over time.
     method : Method, optional
-        How slip is followed.  By default rings on bonded layers and gradings, springs by gap on homogeneous and
-        power-law media; in the plane, under other laws than Coulomb's, and on bodies that relax, springs one by one.
+        How slip is followed.  By default rings on bonded layers and graded bodies, and springs of equal gap together on
+        homogeneous and power-law media. Single springs are followed in planar motion, under other laws than Coulomb's,
+        and on viscoelastic bodies.
     count : int, optional
-        How many springs, where they are followed one by one; the error falls with its square, on bodies that relax with
-        itself where the load does not vanish at the edge.
+        Number of springs, if single springs are followed. The error is of second order; on viscoelastic bodies of first
+        order if the load does not vanish at the edge.
     tolerance : float, optional
-        On bodies that relax the error of a step: of the shear force over what friction can bear, of the energy lost to
-        friction over that force times the greatest shift, and of depth and shift under forces over the greatest ones.
-        With a dashpot alongside, under a normal force and a shift, the work counts in place of the shear force.
+        Error of a step on viscoelastic bodies: of the shear force over the friction limit, of the frictional loss over
+        this force times the maximum displacement, and of depth and displacement under forces over their maximum. With a
+        dashpot alongside, under a normal force and a shift, the work counts in place of the shear force.
 
     Raises
     ------
     InvalidInput
-        If the path twists the bodies (use Torsion), the law is none of friction, or the method follows neither this law
-        nor paths in the plane.  If bodies relax by more than one function of time, their law is not Coulomb's, or their
-        path leaves its line.
+        If the path twists the bodies (use Torsion), or the law is not a law of friction. If the method supports neither
+        this law nor planar paths.  If bodies relax by more than one function of time, their law is not Coulomb's, or
+        their path leaves its line.
     OutsideValidity
-        If rings are asked for on another medium, or a contact that is no disc.
+        If rings are requested on another medium, or for a contact that is not a disc.
 
     References
     ----------
@@ -143,9 +144,9 @@ class Tangential:
         if self.relaxes:
             if not self._coulomb_line or self.method in (Method.EXACT, Method.RINGS):
                 raise InvalidInput(
-                    f"Tangential: bodies that relax are followed by Coulomb's law, along one line and by the method "
-                    f"{Method.SPRINGS}; the law is a {type(self.law).__name__}, the method {self.method}, and the path "
-                    f"{'leaves' if self.path.in_plane else 'keeps to'} its line."
+                    "Tangential: viscoelastic bodies require Coulomb's law, motion along one line and the method "
+                    f"{Method.SPRINGS}; the law is a {type(self.law).__name__}, the method {self.method}, and the "
+                    f"path {'leaves' if self.path.in_plane else 'keeps to'} its line."
                 )
             pressed_alone("Tangential", self.bed, self.path, self.count, self.tolerance)
         elif self.by_rings:
@@ -163,7 +164,7 @@ class Tangential:
 
     @property
     def by_rings(self) -> bool:
-        """Whether rings are followed: those of layers and gradings, unless another method is named."""
+        """Whether rings are used: for layers and graded bodies, unless another method is given."""
         if self.method is Method.AUTO:
             return self._coulomb_line and not self.relaxes and layers_of_rings(self.bed) is not None
         return self.method is Method.RINGS
@@ -185,9 +186,9 @@ class Tangential:
         Raises
         ------
         OutsideValidity
-            If friction does not bear a prescribed shear force, at that step: the states before it have been yielded.
-            If springs by gap are asked for, and their stiffnesses have no common ratio; if a contact on layers is too
-            wide against the uppermost one.
+            If a prescribed shear force exceeds the friction limit. The error is raised at that step, after all earlier
+            states. If springs of equal gap are to be followed together, but have different stiffness ratios. If a
+            contact on layers is too wide compared with the uppermost layer.
         NotConverged
             If a step that is curved by prescribed forces is too long to be followed; give more points.
         """
@@ -271,12 +272,12 @@ class TangentialSolution(RoundSlip[Array], Looped, Relaxed, OfPath[State]):
 
     @property
     def nested(self) -> Array:
-        """Whether all that slid in each step was one outer ring, and slid to one side, ``(steps,)`` of bool.
+        """Whether the slip zone of each step was one outer annulus with one slip direction, ``(steps,)`` of bool.
 
         Raises
         ------
         OutsideValidity
-            If springs were followed, not rings.
+            If springs were used, not rings.
         """
         return self._known("nested")
 

@@ -146,8 +146,8 @@ def _deviation_notes(poisson: float, name: str) -> list[Note]:
     if angle < LEAST_ANGLE:
         return []
     statement = (
-        f"Slip is assumed parallel to the shear force. With {name} {poisson:.3g} it deviates by up to about "
-        f"{angle:.2g} degrees. The effect on forces is of second order in that angle."
+        f"Slip is assumed parallel to the shear force. With {name} {poisson:.3g} the true direction deviates by "
+        f"up to about {angle:.2g} degrees. The error of the forces is of second order in this angle."
     )
     return [Note(Assumption.SLIP, Standing.ASYMPTOTIC, statement, JOHNSON)]
 
@@ -166,8 +166,9 @@ def _rubbing(law: SpringLaw, depth: Array, force: Array, shear_force: Array) -> 
 EXACT = Note(
     Assumption.SLIP,
     Standing.EXACT,
-    "One direction of motion: springs of one gap stick and slide together, and every history of depth and shift is "
-    "solved within Cattaneo-Mindlin (tractions along the motion) but for rounding. Between points where a prescribed "
-    f"force bends the step, springs are followed to {CURVED_STEP_TOLERANCE:.0e} of the greatest displacement.",
+    "One direction of motion: springs of equal gap stick and slip together. Every history of depth and "
+    "displacement is solved within rounding under the Cattaneo-Mindlin assumption (tractions parallel to the "
+    "motion). If a prescribed force curves the path between two points, the springs are followed within "
+    f"{CURVED_STEP_TOLERANCE:.0e} of the maximum displacement.",
     MINDLIN,
 )

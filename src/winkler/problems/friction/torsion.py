@@ -55,9 +55,8 @@ class Torsion:
     Parameters
     ----------
     bed : Bed
-        The springs: Foundation(profile, medium) or PlaneFoundation(plane_profile, medium) on a
-        homogeneous half-space, on layers, bonded or sliding, or on a body graded in depth; elastic, or relaxing by one
-        function of time.
+        Foundation(profile, medium) or PlaneFoundation(plane_profile, medium), elastic or with one common relaxation
+        function. The medium is a homogeneous half-space, layers (bonded or sliding), or a body graded in depth.
     law : Coulomb
         Friction.
     path : Path
@@ -65,8 +64,8 @@ class Torsion:
     count : int, optional
         How many springs, where bodies relax; the error falls with its square.
     tolerance : float, optional
-        On bodies that relax the error of a step: of the torque over what friction can bear, of the energy lost to
-        friction over that torque times the greatest angle, and of depth and angle under forces over the greatest ones.
+        Error of a step on viscoelastic bodies: of the torque over the friction limit, of the frictional loss over this
+        torque times the maximum angle, and of depth and angle under forces over their maximum.
 
     Raises
     ------
@@ -141,8 +140,8 @@ class Torsion:
         Raises
         ------
         OutsideValidity
-            If a torque exceeds what friction bears: at that step, the states before it have been yielded.  If the
-            contact grows beyond what is known of the profile, or is no disc.
+            If a torque exceeds the friction limit: at that step, the states before it have been yielded.  If the
+            contact grows beyond the known range of the profile, or is not a disc.
         NotConverged
             If the profile is too rough, or a step too long for the angle or the loss to settle.
         """
@@ -184,7 +183,7 @@ class TorsionSolution(RoundTwist[Array], Looped, Relaxed, OfPath[TwistState]):
     problem : Torsion
         The problem that was solved.
     nested : ndarray of bool, (steps,)
-        Whether all that slid in the step was one outer ring, and slid to one side: then the step is exact.
+        Whether the slip zone of the step was one outer annulus with one slip direction; then the step is exact.
     states : tuple of TorsionState or DraggedTwist
         One by one, with the springs from which fields are restored.
     """

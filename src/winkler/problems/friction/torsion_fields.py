@@ -15,7 +15,7 @@ __all__ = ["TwistedFields", "body_of_twisted", "twisted_surface"]
 
 @value
 class TwistedFields:
-    """What happens on the surface of a twisted contact, at distances r from the axis.
+    """Tractions and displacements on the surface of a twisted contact, at distances r from the axis.
 
     Parameters
     ----------

@@ -50,9 +50,9 @@ def torsion_notes(bed: Bed, law: Coulomb, states: Sequence[TorsionState], by_tor
     yield Note(
         Assumption.SLIP,
         Standing.EXACT,
-        "Torsion of a round contact and its normal load do not act on each other, whatever the Poisson ratios are, "
-        "also of elastically dissimilar bodies. For small rotations the springs give the three-dimensional solution "
-        "itself, as long as what slides is an outer ring.",
+        "Torsion of a round contact and its normal load are uncoupled for all Poisson's ratios, even for "
+        "elastically dissimilar bodies. For small rotations the springs are equal to the three-dimensional "
+        "solution, as long as the slip zone is an outer annulus.",
         "J. Jaeger, Arch. Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661",
     )
     widest = max(states, key=lambda state: state.radius)
@@ -87,7 +87,7 @@ def torsion_yield_notes(bed: Bed, states: Sequence[TorsionState]) -> tuple[Note,
         return yield_notes_of_bed(bed, depth, radius, SurfaceFriction(np.inf))
     examined = [states[index] for index in sorted({int(np.argmax(torque)), int(np.argmax(depth))})]
     if any(_sharp(state, part) for state in examined for part in strong_parts(bed.medium)):
-        why = "the stresses of a twist next to a sharp place, or where nothing slips, are not resolved"
+        why = "the stresses of a twist near a sharp place, or without slip, are not resolved"
         return unknown_yield(bed.medium, why, plain[0].statement)
     weakest: dict[float, StrongPart] = {}  # bodies of one Poisson's ratio have the same stresses
     for part in sorted(strong_parts(bed.medium), key=lambda part: -part.solid.strength):

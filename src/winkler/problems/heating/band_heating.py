@@ -31,7 +31,7 @@ __all__ = ["BandHeating", "BandHeatingSolution"]
 
 @value
 class BandHeating(StripHeating[Q]):
-    """One or two bodies that move past an even band of heat.
+    """One or two bodies that move past a band of uniform heat flux.
 
     Parameters
     ----------
@@ -43,8 +43,8 @@ class BandHeating(StripHeating[Q]):
         How the bodies conduct heat: two thick bodies of ThermalConductor, or Plated made of it, a perfect touch
         between them.
     first_speed, second_speed : float or ndarray
-        Velocities [m/s] along x at which the surface of either body moves past the band, not zero.  Zero is allowed
-        for a body that takes no heat, FixedShare(1.0) or FixedShare(0.0).  Arrays broadcast with each other, with the
+        Velocities [m/s] along x at which the surface of either body moves past the band, not zero.  Zero is allowed for
+        a body that receives no heat, FixedShare(1.0) or FixedShare(0.0).  Arrays broadcast with each other, with the
         half-width and with the flux.
     partition : EqualMaximum, EqualMean or FixedShare, optional
         How the bodies share the heat; Blok's rule, EqualMaximum(), unless given.  One body alone has FixedShare(1.0).
@@ -52,8 +52,8 @@ class BandHeating(StripHeating[Q]):
     Raises
     ------
     InvalidInput
-        If a body that takes heat rests against the band, a conductor is none, a number is not finite, or what is given
-        does not broadcast.
+        If a body that receives heat is at rest relative to the band. If a conductor has the wrong type, a number is not
+        finite, or the arguments do not broadcast.
 
     References
     ----------
@@ -125,7 +125,7 @@ class BandHeatingSolution(StripTemperatures[Q]):
     first_peclet, second_peclet : float or ndarray
         Pe = V a / (2 kappa) of either body [-]; of a plated one with the least diffusivity.
     first_max_temperature, second_max_temperature : float or ndarray
-        Greatest temperature of either surface [K].
+        Maximum temperature of either surface [K].
     first_mean_temperature, second_mean_temperature : float or ndarray
         Mean temperature of either surface over the band [K].
     """

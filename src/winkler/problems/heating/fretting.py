@@ -55,7 +55,7 @@ JAEGER = "J. C. Jaeger, Proc. R. Soc. New South Wales 76 (1942) 203-224"
 
 @value
 class FrettingHeat(RubbingBodies):
-    """A contact that is pushed to and fro along the surface, again and again, and warms up.
+    """Heating of a contact under oscillating tangential displacement.
 
     Parameters
     ----------
@@ -107,8 +107,8 @@ class FrettingHeat(RubbingBodies):
     def __post_init__(self) -> None:
         if self.contact.relaxes:
             raise OutsideValidity(
-                "FrettingHeat: the bodies of the motion relax and are heated inside, too; only the heat of friction is "
-                "known: give elastic bodies."
+                "FrettingHeat: the bodies of the motion are viscoelastic and heated inside, too; only frictional "
+                "heat is implemented: give elastic bodies."
             )
         super().__post_init__()
 
@@ -124,16 +124,16 @@ class FrettingHeat(RubbingBodies):
         InvalidInput
             If the path does not end with a closed cycle.
         OutsideValidity
-            If nothing slips, or a ring that is too narrow, or the traction is not known in this medium; else as
-            `Tangential`.
+            If nothing slips, if the slip annulus is too narrow, or if the traction is not known in this medium;
+            otherwise as `Tangential`.
         """
         march = self.contact.solve()
         begin = _begin(march)
         loss = float(march.dissipation[-1] - march.dissipation[begin])
         if loss <= 0.0:
             raise OutsideValidity(
-                "FrettingHeat: nothing slips in the last cycle of the path, so nothing warms up; move further, or "
-                "press less."
+                "FrettingHeat: nothing slips in the last cycle of the path, so there is no heat; increase the "
+                "amplitude, or reduce the load."
             )
         end = float(np.max(march.radius[begin:]))
         narrow = float(np.min(march.radius[begin:]))
@@ -250,7 +250,7 @@ class FrettingHeatSolution:
 
     @property
     def max_temperature(self) -> float:
-        """Greatest mean temperature [K]."""
+        """Maximum mean temperature [K]."""
         return self.source.peak(0.0).height / self._conductivity
 
     @property
@@ -283,28 +283,30 @@ class FrettingHeatSolution:
             Note(
                 Assumption.CONDUCTION,
                 Standing.EXACT,
-                "Mean temperatures of half-spaces whose source of heat stays in its place: both bodies have the same "
-                "one everywhere, with shares in proportion to their conductivities.",
+                "Mean temperatures of half-spaces with a stationary heat source. A heat partition proportional "
+                "to the conductivities gives equal temperatures of both bodies everywhere.",
                 JAEGER,
             ),
             Note(
                 Assumption.STEADY,
                 Standing.ASYMPTOTIC,
-                f"The source moves by {stroke:.2g} of its radius to either side, which is left out.",
+                f"The heat source moves by {stroke:.2g} of its radius to each side; this motion is neglected.",
                 "the solution itself",
             ),
             Note(
                 Assumption.RESOLUTION,
                 Standing.APPROXIMATE if self.misfit > LOSS_TOLERANCE else Standing.ASYMPTOTIC,
-                f"Traction times slip, summed over the points of the path, misses the loss by {100 * self.misfit:.2g} "
-                "%; it was scaled to it. More points in every cycle bring both together.",
+                "Traction times slip, summed over the points of the path, differs from the dissipated energy by "
+                f"{100 * self.misfit:.2g} %. The flux was scaled to the dissipated energy. More points in every "
+                "cycle reduce the difference.",
                 "the solution itself",
             ),
             Note(
                 Assumption.CONDUCTION,
                 Standing.APPROXIMATE,
-                f"The swing about the mean, about {self.swing:.3g} K, is an estimate for a flux that varies as 1 + cos"
-                f": the mean, or that of a plane, whichever is less. Heat reaches {reach:.2g} m in a cycle.",
+                f"The oscillation about the mean, about {self.swing:.3g} K, is an estimate for a heat flux that "
+                "varies as 1 + cos. It is the smaller of two values: the mean temperature and the oscillation of "
+                f"a plane. The thermal penetration depth per cycle is {reach:.2g} m.",
                 "one-dimensional diffusion; H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, Oxford 1959",
             ),
             temperature_note(float(self.max_temperature) + float(self.swing)),

@@ -35,7 +35,7 @@ __all__ = ["LineFrictionHeating", "LineFrictionHeatingSolution"]
 
 @value
 class LineFrictionHeating(StripHeating[Q]):
-    """Two bodies in line contact that slide on each other, or roll and slide, and warm up.
+    """Frictional heating of two bodies in line contact that slide, or roll and slide.
 
     Parameters
     ----------
@@ -47,8 +47,8 @@ class LineFrictionHeating(StripHeating[Q]):
         How the bodies conduct heat: two thick bodies of ThermalConductor, or Plated made
         of it, a perfect touch between them.
     first_speed, second_speed : float or ndarray
-        Velocities [m/s] along x at which the surface of either body moves past the contact, not zero: they slide with
-        the difference.  Zero is allowed for a body that takes no heat, FixedShare(1.0) or FixedShare(0.0).  Arrays
+        Velocities [m/s] along x at which each surface passes the contact, not zero; the sliding velocity is their
+        difference.  Zero is allowed for a body that receives no heat, FixedShare(1.0) or FixedShare(0.0).  Arrays
         broadcast with each other and with the load.
     partition : EqualMaximum, EqualMean or FixedShare, optional
         How the bodies share the heat; Blok's rule, EqualMaximum(), unless given.
@@ -56,10 +56,10 @@ class LineFrictionHeating(StripHeating[Q]):
     Raises
     ------
     OutsideValidity
-        If a layer slides on what lies below it: friction would drag it away.
+        If a layer slides on the material below, because friction would displace it without limit.
     InvalidInput
-        If a body that takes heat rests against the contact, a conductor is none, a speed is not finite, or speeds and
-        load do not broadcast.
+        If a body that receives heat is at rest relative to the contact. If a conductor has the wrong type, a speed is
+        not finite, or speeds and load do not broadcast.
 
     References
     ----------
@@ -112,7 +112,7 @@ class LineFrictionHeating(StripHeating[Q]):
         Raises
         ------
         OutsideValidity
-            If the load is refused by `LineIndentation`, or a Peclet number is above 1e8 or below 1e-8.
+            If `LineIndentation` does not support the load, or a Peclet number is above 1e8 or below 1e-8.
         """
         contact = self.contact.solve()
         shape = np.broadcast_shapes(np.shape(contact.half_width), *map(np.shape, self._speeds))
@@ -136,12 +136,12 @@ class LineFrictionHeatingSolution(StripTemperatures[Q]):
     heat_per_length : float or ndarray
         Q = mu P v, the heat of friction per time and length [W/m].
     first_share : float or ndarray
-        Part of it that goes into the first body [-]; without contact the fixed one, or that of bodies at rest, their
-        conductivities against each other.
+        Heat partition: part of the heat that enters the first body [-]. Without contact it is the fixed one, or that of
+        bodies at rest (ratio of conductivities).
     first_peclet, second_peclet : float or ndarray
         Pe = V a / (2 kappa) of either body [-]; of a plated one with the least diffusivity.
     first_max_temperature, second_max_temperature : float or ndarray
-        Greatest temperature of either surface [K].
+        Maximum temperature of either surface [K].
     first_mean_temperature, second_mean_temperature : float or ndarray
         Mean temperature of either surface over the strip [K].
     """

@@ -65,8 +65,8 @@ def moved_body(source: Source, body: HeatBody, speed: float, direction: float) -
         return ThickBody(source, *_numbers(body), speed, direction)
     if not isinstance(source, LineSource | EllipticSource):
         raise OutsideValidity(
-            "FrictionHeating: the pressure of an ellipse on layers or gradings is one of pixels, under which no plated "
-            "conductors are implemented; give thick conductors, or a homogeneous medium."
+            "FrictionHeating: plated conductors are not implemented for an ellipse on layers or graded bodies; "
+            "give thick conductors, or a homogeneous medium."
         )
     return StackedSource(source, stack, speed, direction)
 

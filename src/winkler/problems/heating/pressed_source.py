@@ -75,8 +75,8 @@ class PressedSource:
         far = float(np.max(np.abs(places), initial=0.0)) / max(pixels.half_sides)
         if far > FARTHEST:
             raise OutsideValidity(
-                f"HeatedBody: a place is {far:.3g} times as far away as the contact reaches; on layers and gradings "
-                f"temperatures are known up to {FARTHEST:g} times: give nearer places."
+                f"HeatedBody: a place is {far:.3g} times as far away as the contact reaches; on layers and graded "
+                f"bodies temperatures are known up to {FARTHEST:g} times: give nearer places."
             )
         times = 2.0 ** np.ceil(np.log2(np.maximum(reach, 1.0)))
         found = np.empty(places.shape[1])

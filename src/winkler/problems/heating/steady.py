@@ -47,18 +47,18 @@ __all__ = ["FrictionHeating", "FrictionHeatingSolution"]
 
 @value
 class FrictionHeating(RubbingPlatedBodies, PerLoad[Q]):
-    """Two bodies that slide on each other, or roll and slide, and warm up.
+    """Frictional heating of two bodies that slide, or roll and slide.
 
     Parameters
     ----------
     contact : Indentation or EllipticIndentation
-        How they are pressed together: a round contact on any medium, or bodies of two curvatures; of many loads, the
-        results have their shape.
+        The mechanical contact: a round contact on any medium, or bodies with two curvatures each. For an array of loads
+        the results have its shape.
     law : Coulomb
         Friction, with a finite coefficient.
     conductors : HeatConductors
-        How the bodies conduct heat: two thick bodies of ThermalConductor, or Plated made of it, a perfect touch
-        between them.  Elastic layers conduct like what is below them.
+        How the bodies conduct heat: two thick bodies of ThermalConductor, or Plated made of it, a perfect touch between
+        them.  Elastic layers have the conductivity of the material below.
     first_speed, second_speed : float or ndarray, optional
         Speeds [m/s] at which the surface of either body moves past the contact.  A pin of the second body on a plate
         has `second_speed` 0, the default.  Arrays broadcast with each other and with the load.
@@ -71,10 +71,10 @@ class FrictionHeating(RubbingPlatedBodies, PerLoad[Q]):
     Raises
     ------
     InvalidInput
-        If the law is not Coulomb's with a finite coefficient, a conductor or partition is none, a number is not
-        finite, speeds and load do not broadcast, or a second body at rest has a direction.
+        If the law is not Coulomb's with a finite coefficient, or a conductor or partition has the wrong type. If a
+        number is not finite, or speeds and load do not broadcast. If a second body at rest has a direction.
     OutsideValidity
-        If the bed of a contact stands for one that is not known to be round.
+        If the foundation represents a contact that may not be round.
 
     References
     ----------
@@ -168,8 +168,8 @@ class FrictionHeating(RubbingPlatedBodies, PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If the contact refuses the load, the pressure is not known in the medium, a Peclet number is above 1e8, or
-            bodies of two curvatures on layers or gradings are plated.
+            If the contact does not support the load, or the pressure is not known in the medium. If a Peclet number is
+            above 1e8. If bodies with two curvatures each on layers or graded bodies are plated.
         NotConverged
             If the profile is too rough, or the pressures of pixels are not found.
         """
@@ -201,13 +201,13 @@ class FrictionHeatingSolution(PerLoad[Q]):
     heat_rate : float or ndarray
         Q = mu F v, the heat of friction per time [W].
     first_share : float or ndarray
-        Part of it that goes into the first body [-]; without contact the fixed one, or that of bodies at rest, their
-        conductivities against each other.
+        Heat partition: part of the heat that enters the first body [-]. Without contact it is the fixed one, or that of
+        bodies at rest (ratio of conductivities).
     first_peclet, second_peclet : float or ndarray
-        Pe = V l / (2 kappa) of either body, with half the length l of the contact along its motion [-]; of a plated
-        body with the least diffusivity.
+        Pe = V l / (2 kappa) of each body, where l is half the contact length along its motion [-]; for a plated body
+        with the smallest diffusivity.
     first_max_temperature, second_max_temperature : float or ndarray
-        Greatest temperature of either surface within the contact [K].
+        Maximum temperature of either surface within the contact [K].
     first_mean_temperature, second_mean_temperature : float or ndarray
         Mean temperature of either surface over the contact [K].
     """
@@ -239,14 +239,14 @@ class FrictionHeatingSolution(PerLoad[Q]):
 
     @property
     def flash_temperature(self) -> Q:
-        """The greatest temperature of the contact, that of the warmer body [K]."""
+        """The maximum temperature of the contact, that of the warmer body [K]."""
         return shaped(np.maximum(self.first_max_temperature, self.second_max_temperature))
 
     @property
     def stationary_temperature(self) -> Q:
         """What the rule of slow sliding gives for the flash temperature [K]: both bodies as if at rest.
 
-        mu v E* d / (2 (lambda_1 + lambda_2)) in homogeneous media, if the greatest displacement is d.
+        mu v E* d / (2 (lambda_1 + lambda_2)) in homogeneous media, if the maximum displacement is d.
         """
         return self._estimate(stationary)
 
@@ -260,7 +260,7 @@ class FrictionHeatingSolution(PerLoad[Q]):
 
     @property
     def tian_kennedy_temperature(self) -> Q:
-        """What the fit of Tian and Kennedy gives for a parabolic flux on the same disc [K]; platings are left out.
+        """What the fit of Tian and Kennedy gives for a parabolic flux on the same disc [K]; platings are neglected.
 
         Raises
         ------

@@ -44,12 +44,12 @@ __all__ = ["TransientHeating", "TransientHeatingSolution"]
 
 @value
 class TransientHeating(RubbingBodies):
-    """Two bodies that begin to slide on each other, slowly, and warm up in the course of time.
+    """Heating of two bodies from the moment at which they begin to slide slowly.
 
     Parameters
     ----------
     contact : Indentation or EllipticIndentation
-        How they are pressed together, by one load: a round contact, or bodies of two curvatures on a homogeneous
+        The mechanical contact under one load: a round contact, or bodies with two curvatures each on a homogeneous
         medium.
     law : Coulomb
         Friction, with a finite coefficient.
@@ -67,8 +67,8 @@ class TransientHeating(RubbingBodies):
     InvalidInput
         If the load is an array, a time is not positive, the speed negative, or as in `FrictionHeating`.
     OutsideValidity
-        If the bed of a contact stands for one that is not known to be round, or bodies of two curvatures are layered
-        or graded.
+        If the foundation represents a contact that may not be round, or bodies with two curvatures each are layered or
+        graded.
 
     References
     ----------
@@ -118,8 +118,8 @@ class TransientHeating(RubbingBodies):
             )
         if isinstance(self.contact, EllipticIndentation) and not isinstance(self.contact.medium, HomogeneousMedium):
             raise OutsideValidity(
-                "TransientHeating: the pressure of an ellipse on layers or gradings is one of pixels, of which the "
-                "beginning is not implemented; give a homogeneous medium, or FrictionHeating for what it ends in."
+                "TransientHeating: an ellipse on layers or graded bodies is not implemented; give a homogeneous "
+                "medium, or use FrictionHeating for the steady state."
             )
 
     def solve(self) -> TransientHeatingSolution:
@@ -132,7 +132,7 @@ class TransientHeating(RubbingBodies):
         Raises
         ------
         OutsideValidity
-            If the load is refused by `Indentation`, or the pressure is not known in the medium.
+            If `Indentation` does not support the load, or the pressure is not known in the medium.
         NotConverged
             If the profile is too rough.
         """
@@ -182,7 +182,7 @@ class TransientHeatingSolution:
     first_share : ndarray, (steps,)
         Part of the heat that goes into the first body [-].
     first_max_temperature, second_max_temperature : ndarray, (steps,)
-        Greatest temperature of either surface [K].
+        Maximum temperature of either surface [K].
     first_mean_temperature, second_mean_temperature : ndarray, (steps,)
         Mean temperature of either surface over the contact [K].
     """
@@ -199,7 +199,7 @@ class TransientHeatingSolution:
 
     @property
     def flash_temperature(self) -> Array:
-        """The greatest temperature of the contact, that of the warmer body [K], (steps,)."""
+        """The maximum temperature of the contact, that of the warmer body [K], (steps,)."""
         return np.maximum(self.first_max_temperature, self.second_max_temperature)
 
     @property
@@ -246,9 +246,9 @@ class TransientHeatingSolution:
         return Note(
             Assumption.CONDUCTION,
             Standing.APPROXIMATE if excess > 1.0 else Standing.ASYMPTOTIC,
-            "Both bodies are assumed at rest relative to the contact. If one of them moves at the whole speed (Pe = "
-            f"{0.5 * max(waves) * source.half_length(0.0):.3g}), its last temperatures are up to {excess:.2g} % too "
-            "high.",
+            "Both bodies are assumed at rest relative to the contact. One of them may move at the full sliding "
+            f"speed (Pe = {0.5 * max(waves) * source.half_length(0.0):.3g}). Its maximum temperature is then "
+            f"overestimated by up to {excess:.2g} % at long times.",
             "own quadrature of the moving source",
         )
 
@@ -259,16 +259,16 @@ class TransientHeatingSolution:
             return Note(
                 Assumption.CONDUCTION,
                 Standing.EXACT,
-                "Both surfaces warm up in proportion, with one share at all times.",
+                "The surface temperatures of both bodies rise in proportion, with one constant heat partition.",
                 CARSLAW,
             )
         spread = float(np.ptp(self.first_share))
         return Note(
             Assumption.CONDUCTION,
             Standing.APPROXIMATE,
-            "The bodies' diffusivities differ: the share that makes their temperatures agree goes from that of the "
-            "effusivities to that of the conductivities. It is taken at every time as if it had always been so; it "
-            f"changes by {spread:.2g} over the times given.",
+            "The diffusivities of the bodies differ. The heat partition that gives equal temperatures therefore "
+            "changes with time, from the ratio of effusivities to that of conductivities. At every time its "
+            f"current value is applied to the whole history; it changes by {spread:.2g} over the times given.",
             CARSLAW,
         )
 

@@ -27,22 +27,19 @@ OWN = "own quadrature of the moving source, checked against the sum of point sou
 SLOW_PECLET = 0.01
 """Peclet number below which the rule of slow sliding is good to half a per cent."""
 
-RUBBED, EVEN = "the pressure times friction and speed, everywhere", "the one given, all over the band"
+RUBBED, EVEN = "pressure times friction coefficient times speed at every point", "the given one over the whole band"
 """Where heat enters, as notes say it: in a contact, and on an even band."""
 
 
 def _steady(flux: str = RUBBED, plated: bool = False) -> Note:
     """Return what was assumed of conduction under a steady flux, of bodies `plated` or not."""
-    thick = "half-spaces of constant conductivity and diffusivity, nothing lost"
-    stack = (
-        "platings and what carries them, of constant conductivity and diffusivity, bonded without resistance; nothing "
-        "is lost"
-    )
+    thick = "half-spaces of constant conductivity and diffusivity"
+    stack = "bonded platings and substrates of constant conductivity and diffusivity, without interface resistance"
     return Note(
         Assumption.CONDUCTION,
         Standing.EXACT,
-        f"Steady heat conduction in {stack if plated else thick} through the surface outside the "
-        f"{'band' if flux == EVEN else 'contact'}; the flux is {flux}.",
+        f"Steady heat conduction in {stack if plated else thick}. No heat leaves the surface outside the "
+        f"{'band' if flux == EVEN else 'contact'}. The flux is {flux}.",
         "own transfer through the layers, wave by wave" if plated else JAEGER,
     )
 
@@ -53,8 +50,9 @@ STEADY_SOURCE = _steady()
 BY_PIXELS = Note(
     Assumption.RESOLUTION,
     Standing.ASYMPTOTIC,
-    "The heat follows the pressure of pixels: where closed forms are known, equal layers and round contacts, greatest "
-    "temperatures were within 5e-4 of them and means within 2e-3, at Peclet numbers up to 1e7.",
+    "The heat flux follows the pressure of the pixels. Reference: closed forms for ellipses on half-spaces and "
+    "round contacts on equal layers, Peclet numbers up to 1e7. Maximum temperatures differ by at most 5e-4, mean "
+    "temperatures by 2e-3.",
     "comparison with ellipses on half-spaces and round contacts on layers",
 )
 
@@ -124,9 +122,9 @@ def moving_notes(
     motion = Note(
         Assumption.CONDUCTION,
         Standing.EXACT,
-        f"Motion is taken into account at all speeds (Pe up to {float(np.max(peclets)):.3g}); heat flows across the "
-        "strip and into the depth, not along it. A slow body comes to this temperature late: the heat must spread over "
-        "a few times kappa / V.",
+        f"The motion is included at all speeds (Pe up to {float(np.max(peclets)):.3g}). Heat flows across the "
+        "strip and into the depth, not along the strip. A slow body reaches this temperature only after a "
+        "sliding distance in which heat spreads over a few times kappa / V.",
         JAEGER,
     )
     rise = float(np.max(greatest))
@@ -141,16 +139,16 @@ def _speed(peclets: tuple[Array, Array], overestimate: Array, plated: bool) -> N
         return Note(
             Assumption.CONDUCTION,
             Standing.ASYMPTOTIC,
-            f"Slow sliding, Pe = {fastest:.3g} at most: both bodies are as good as at rest, and the rule {rule}would "
-            f"be {100.0 * excess:.2g} % too high at most.",
+            f"Slow sliding, Pe = {fastest:.3g} at most: both bodies are treated as at rest. The rule {rule}would "
+            f"be at most {100.0 * excess:.2g} % too high.",
             OWN,
         )
     return Note(
         Assumption.CONDUCTION,
         Standing.EXACT,
-        f"Motion is taken into account (Pe up to {fastest:.3g}); the rule of slow sliding would be "
-        f"{100.0 * excess:.3g} % too high at most. Temperatures are those after sliding for many times "
-        "a^2/kappa where a body rests against the contact, and a/V where it moves fast.",
+        f"The motion is included (Pe up to {fastest:.3g}); the approximation of slow sliding would be at most "
+        f"{100.0 * excess:.3g} % too high. The temperatures apply after sliding for many times a^2/kappa for a "
+        "body at rest relative to the contact, and a/V for a fast body.",
         OWN,
     )
 
@@ -165,25 +163,26 @@ def _sharing(
         return Note(
             Assumption.CONDUCTION,
             Standing.EXACT,
-            f"The share of the first body was given, {partition.first_share:g}.",
+            f"The heat partition was prescribed: the first body receives a share of {partition.first_share:g}.",
             "the problem",
         )
     if peclets is not None and max(float(np.max(each)) for each in peclets) <= SLOW_PECLET:
         return Note(
             Assumption.CONDUCTION,
             Standing.ASYMPTOTIC,
-            "Both bodies are as good as at rest: shared in proportion to their conductivities, the heat makes their "
-            "temperatures agree everywhere.",
+            "Both bodies move so slowly that they are treated as at rest. A heat partition proportional to the "
+            "conductivities gives equal temperatures everywhere.",
             BLOK,
         )
     scale = np.maximum(*greatest)
     apart = np.max(np.maximum(abs(greatest[0] - greatest[1]), abs(means[0] - means[1])) / np.where(scale > 0, scale, 1))
-    equal = "mean" if isinstance(partition, EqualMean) else "greatest"
-    other = "greatest" if isinstance(partition, EqualMean) else "mean"
+    equal = "mean" if isinstance(partition, EqualMean) else "maximum"
+    other = "maximum" if isinstance(partition, EqualMean) else "mean"
     return Note(
         Assumption.CONDUCTION,
         Standing.APPROXIMATE,
         f"One heat partition for the whole contact makes the {equal} temperatures of both bodies equal, but not "
-        f"those at every point. The {other} ones differ by {100.0 * float(apart):.2g} % of the greatest.",
+        f"the temperatures at every point. The {other} temperatures differ by {100.0 * float(apart):.2g} % of the "
+        "maximum.",
         BLOK,
     )

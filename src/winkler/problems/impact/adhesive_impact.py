@@ -59,7 +59,7 @@ RANGE_ADVICE = Advice("attraction from afar begins before the touch")
 
 @value
 class AdhesiveImpact:
-    """A sticky body strikes a surface, straight.
+    """Normal impact of an adhesive body.
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ class AdhesiveImpact:
     velocity : float
         v [m/s] of approach at first touch, positive.
     count : int, optional
-        At how many moments states are returned; the moment of greatest depth is added.
+        At how many moments states are returned; the moment of maximum depth is added.
 
     Raises
     ------
@@ -112,18 +112,18 @@ class AdhesiveImpact:
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: `count`, and that at the greatest depth if it is none of them."""
+        """How many states `steps` yields: `count`, and that at the maximum depth if it is none of them."""
         return self.count + 1
 
     def steps(self) -> Iterator[AdhesiveImpactState]:
-        """Yield the state at `count` moments, evenly spaced, and at the greatest depth.
+        """Yield the state at `count` moments, evenly spaced, and at the maximum depth.
 
         Raises
         ------
         OutsideValidity
-            If the body is pressed in beyond what is known of its profile, or a contact along the path is no disc.
+            If the body is pressed in beyond the known range of its profile, or a contact along the path is not a disc.
         NotConverged
-            If the profile is too rough, or the march comes to a halt.
+            If the profile is too rough, or the time integration stops.
         """
         moved = impact_motion(self.bed, self.law, self.mass, self.velocity)
         times = np.union1d(np.linspace(0.0, moved.duration, self.count), [moved.turn]).tolist()
@@ -214,7 +214,7 @@ class AdhesiveImpactSolution(AdhesiveImpactHistory[Array]):
 
     @property
     def restitution(self) -> float:
-        """Velocity of parting over that of approach [-]; zero if the body stays, nan if the march was stopped."""
+        """Rebound velocity over approach velocity [-]; zero if the body stays, nan if `steps` was stopped."""
         if self.captured:
             return 0.0
         return -float(self.velocity[-1]) / self.problem.velocity if self.time[-1] == self.duration else math.nan
@@ -226,7 +226,7 @@ class AdhesiveImpactSolution(AdhesiveImpactHistory[Array]):
         modulus = float(problem.bed.normal_stiffness(np.array([np.max(self.radius)]))[0])
         share = wave_loss(modulus=modulus, mass=problem.mass, size=problem.bed.size, velocity=problem.velocity)
         energy_at_start = np.full(self.time.size, 0.5 * problem.mass * problem.velocity**2)
-        verdict = "it stays, and swings on in contact without end in this theory" if self.captured else "it leaves"
+        verdict = "it stays, and oscillates in contact without end in this theory" if self.captured else "it leaves"
         return (
             *adhesive_notes(problem.bed, problem.law, self.depth, self.radius),
             energy_note(energy_at_start, self.kinetic_energy + self.energy, self.dissipation),
@@ -235,8 +235,8 @@ class AdhesiveImpactSolution(AdhesiveImpactHistory[Array]):
             Note(
                 Assumption.EQUILIBRIUM,
                 Standing.ASYMPTOTIC,
-                f"The edge runs on in {len(self.jumps)} jumps at once, while the body hardly moves; all that its "
-                f"potential falls by is lost: {verdict}.",
+                f"The contact edge advances in {len(self.jumps)} jumps, in which the body hardly moves. The "
+                f"released energy is dissipated completely: {verdict}.",
                 "Griffith's balance at every limit of stability, under fixed grips",
             ),
         )

@@ -50,15 +50,15 @@ __all__ = ["Impact", "ImpactSolution"]
 
 @value
 class Impact:
-    """A body strikes a surface.
+    """Impact of a body on a surface.
 
     Parameters
     ----------
     bed : Bed
-        The springs: Foundation(profile, medium).  With friction and a motion along the surface, of a medium whose
-        springs all have the same ratio of tangential to normal stiffness, of bonded layers or of a grading in depth.
+        The springs: Foundation(profile, medium).  With friction and tangential motion: on a medium with one ratio of
+        tangential to normal stiffness of all springs, on bonded layers, or on a body graded in depth.
     law : Coulomb
-        Coulomb(coefficient); infinite if nothing slides, zero without friction.
+        Coulomb(coefficient); infinite if slip is excluded, zero without friction.
     mass : float
         m [kg] of the body; of two free bodies, m1 m2 / (m1 + m2).
     velocity : float
@@ -66,8 +66,8 @@ class Impact:
     lateral_velocity : float, optional
         v_x [m/s] of the centre of mass along the surface at first touch.
     angular_velocity : float, optional
-        omega [rad/s] at first touch, about the axis in the surface and across the motion; positive as of a ball that
-        rolls forwards.  It needs a lever.
+        omega [rad/s] at first touch, about the axis in the surface perpendicular to the motion; positive for a ball
+        that rolls forwards.  It needs a lever.
     inertia : float, optional
         I [kg m^2] about that axis through the centre of mass; infinite if the body does not turn.  It needs a lever.
     lever : float, optional
@@ -78,8 +78,8 @@ class Impact:
     Raises
     ------
     InvalidInput
-        If a number is of the wrong sign or kind, friction exceeds 1e5 but is finite, a body spins or has an inertia
-        without a lever, or has a lever but neither an inertia nor an angular velocity.
+        If a number has the wrong sign or type, or friction exceeds 1e5 but is finite. If a body has spin or inertia
+        without a lever, or a lever without inertia and angular velocity.
 
     References
     ----------
@@ -149,10 +149,11 @@ class Impact:
         Raises
         ------
         OutsideValidity
-            If the body is pressed in beyond what is known of its profile, a contact along the path is no disc, or the
-            springs of an oblique impact are neither alike nor rings of a coating; before the first state.
+            If the depth exceeds the known range of the profile, or a contact along the path is not a disc. If the
+            impact is oblique, the springs have different stiffness ratios, and the medium is not a coating. The error
+            is raised before the first state.
         NotConverged
-            If the profile is too rough, or the march comes to a halt.
+            If the profile is too rough, or the time integration stops.
         """
         depth, ratio, table = deepest(self.bed, 0.5 * self.mass * self.velocity**2), 1.0, None
         if self._slides:
@@ -195,7 +196,7 @@ class ImpactSolution(ImpactHistory[Array]):
     problem : Impact
         The problem that was solved.
     stages : tuple of ImpactStage
-        When nothing slides, and when the edge of the contact slides to which side.
+        The phases of the impact: full stick, or slip of the contact edge in one direction.
     duration : float
         How long the bodies touch [s], also of a solution that was stopped before.
     """
@@ -222,7 +223,7 @@ class ImpactSolution(ImpactHistory[Array]):
 
     @property
     def kinetic_energy(self) -> Array:
-        """Kinetic energy that the contact can take or give, m v^2/2 + w^2/(2 kappa) [J], ``(steps,)``.
+        """Kinetic energy available to the contact, m v^2/2 + w^2/(2 kappa) [J], ``(steps,)``.
 
         The rest belongs to the motion that rolls on: no force at the contact changes it.
         """
@@ -237,7 +238,7 @@ class ImpactSolution(ImpactHistory[Array]):
 
     @property
     def restitution(self) -> float:
-        """Velocity of parting over that of approach [-]; nan if the march was stopped before."""
+        """Rebound velocity over approach velocity [-]; nan if the time integration was stopped before."""
         return -float(self.velocity[-1]) / self.problem.velocity if self.time[-1] == self.duration else math.nan
 
     @property

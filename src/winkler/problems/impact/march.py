@@ -306,7 +306,7 @@ def _with_slip(motion: ImpactProblem, turn: float) -> Iterator[Stage]:
             if last.gap < state[0]:
                 memory.append(SlidSprings(sign, float(state[0]), float(state[2]), beta, last))
             sign = 0 if time < turn else -sign
-    raise NotConverged(f"Impact: sticking and sliding have taken turns {MOST_STAGES} times; give fewer waves.")
+    raise NotConverged(f"Impact: stick and slip have alternated {MOST_STAGES} times; give fewer waves.")
 
 
 class _Slip(NamedTuple):

@@ -154,4 +154,6 @@ def _step(
         if ahead == shift or math.nextafter(low, high) >= high:
             return rings
         shift = ahead
-    raise NotConverged("Impact: the shift in a step of the rings was not found; give less mobility along the surface.")
+    raise NotConverged(
+        "Impact: the displacement in a step of the annular elements was not found; give a smaller tangential mobility."
+    )

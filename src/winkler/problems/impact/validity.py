@@ -27,8 +27,8 @@ MAW = "N. Maw, J. R. Barber, J. N. Fawcett, Wear 38 (1976) 101-114, doi:10.1016/
 PLANAR = Note(
     Assumption.SLIP,
     Standing.ASYMPTOTIC,
-    "Tractions are taken along the motion (Cattaneo-Mindlin); within that, sticking, sliding and turning back are "
-    "followed exactly. Spin about the normal is left out.",
+    "Tractions are assumed parallel to the motion (Cattaneo-Mindlin). Under this assumption stick, slip and "
+    "reversals are followed exactly. Spin about the normal is neglected.",
     MAW,
 )
 
@@ -38,7 +38,8 @@ def gravity_note(force: Array) -> Note:
     return Note(
         Assumption.INERTIA,
         Standing.ASYMPTOTIC,
-        f"Gravity and other forces are left out: they must be small against the {np.max(force):.4g} N of the contact.",
+        "Gravity and other external forces are neglected. They must be small compared with the contact force "
+        f"of {np.max(force):.4g} N.",
         "equations of motion",
     )
 

@@ -46,7 +46,7 @@ __all__ = ["LayeredLineAdhesionSolution", "LineAdhesion", "LineAdhesionSolution"
 
 @value
 class LineAdhesion(PerLoad[Q]):
-    """A cylinder, a wedge or another two-dimensional body that sticks to a half-plane or to layers, in plane strain.
+    """Adhesive contact of a cylinder, wedge or other two-dimensional body with a half-plane or layers, in plane strain.
 
     Parameters
     ----------
@@ -99,8 +99,8 @@ class LineAdhesion(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If a load lies below the pull-off (the message names it) or leads beyond the reach of the profile, or the
-            profile is too sharp or too wavy to be held.
+            If a load is below the pull-off force (the message names it) or beyond the reach of the profile. If the
+            profile is too sharp or too wavy for a stable contact.
         """
         states = line_states(self.bed, self.law)
         given = self.load.half_width if isinstance(self.load, HalfWidth) else self.load.force_per_length
@@ -167,7 +167,9 @@ class LineAdhesionSolution(OfStrip, OfWidth[Q]):
 
     @property
     def edge_load(self) -> Q:
-        """What the edges bear beside the profile [N/m], negative where they pull: P - E* w(a), w that of the bed."""
+        """Load per length of the edges beyond that of the profile [N/m], negative if they are in tension: P - E* w(a),
+        with w of the foundation.
+        """
         return shaped(self.problem.bed.medium.modulus * self._edge_lengths(), np.shape(self.half_width))
 
     @property
@@ -179,7 +181,7 @@ class LineAdhesionSolution(OfStrip, OfWidth[Q]):
         Raises
         ------
         OutsideValidity
-            On bodies graded by a power of the depth, whose tension grows by another power towards the edges.
+            On bodies graded by a power of the depth, whose edge tension has another singularity.
         """
         if isinstance(self.problem.bed, PowerLawLineFoundation):
             raise OutsideValidity(

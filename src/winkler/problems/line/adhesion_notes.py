@@ -61,8 +61,9 @@ def adhesion_notes(
     stretch = float(np.sqrt(2.0 * np.pi * a * law.work / bed.medium.modulus) * bed.edge_share(np.array([a]))[0])
     if isinstance(law, Dugdale):
         text = (
-            f"For a constant stress that reaches {law.range:.3g} m, {law.range / stretch:.3g} of the stretch of the "
-            "edge by attraction without range; other laws of the same work and strength differ in the transition."
+            f"For a constant stress of the range {law.range:.3g} m, which is {law.range / stretch:.3g} of the "
+            "edge stretch in the limit of short range. Other laws of the same work and strength differ in the "
+            "transition."
         )
         notes.append(Note(Assumption.ADHESION, Standing.EXACT, text, BANEY))
     else:
@@ -72,8 +73,8 @@ def adhesion_notes(
     count = int(np.max(stable_counts(line_states(bed, law), FIXED_GRIPS, forces))) if forces.size else 0
     if count > 1:
         text = (
-            f"Up to {count} half-widths are stable under one load; the widest is meant, which is left after pressing "
-            "firmly."
+            f"Up to {count} half-widths are stable under one load. The largest is returned, which remains after "
+            "firm pressing."
         )
         source = "all limits of stability along the states of equilibrium"
         notes.append(Note(Assumption.EQUILIBRIUM, Standing.EXACT, text, source))
@@ -90,8 +91,9 @@ def _overlap_note(bed: LineBed, half_width: float, separation: Callable[[Array],
     overlap = apart < -OVERLAP_TOLERANCE * float(np.max(np.abs(bed.profile.height(x))))
     if overlap.any():
         text = (
-            f"At x = {x[overlap][0]:.4g} m the surfaces would overlap beside the strip: they touch in several strips."
+            f"At x = {x[overlap][0]:.4g} m the surfaces would overlap beside the strip: the contact consists "
+            "of several strips."
         )
         return Note(Assumption.SINGLE_CONTACT, Standing.OUTSIDE, text, source)
-    text = "The load profile may fall; that the surfaces do not overlap beside the strip was checked."
+    text = "The load profile may decrease somewhere. It was checked that the surfaces do not overlap beside the strip."
     return Note(Assumption.SINGLE_CONTACT, Standing.EXACT, text, source)

@@ -35,7 +35,7 @@ def refuse_without_strength(bed: LineFoundation | LayeredLineFoundation, name: s
     if not isinstance(bed.medium, HalfSpace):
         raise InvalidInput(
             f"{name}: the medium is a {type(bed.medium).__name__}; stresses are compared with a strength in "
-            "homogeneous, isotropic bodies only, others have no single strength: give a HalfSpace."
+            "homogeneous, isotropic bodies only. Other bodies have no single strength. Give a HalfSpace."
         )
     if min(bed.medium.strengths) == math.inf:
         raise InvalidInput(f"{name}: no body has a strength; give Elastic(young, poisson, strength=...).")

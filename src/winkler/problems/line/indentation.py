@@ -126,7 +126,7 @@ class LineSolution(OfStrip, OfWidth[Q]):
 
     @property
     def peak_pressure(self) -> Q:
-        """The greatest pressure [Pa]; infinite at a sharp tip, kink or rim, zero without contact."""
+        """The maximum pressure [Pa]; infinite at a sharp tip, kink or rim, zero without contact."""
         pairs = zip(np.ravel(self.force_per_length), np.ravel(self.half_width), strict=True)
         peaks = [peak_pressure(self.problem.bed, float(p), float(a)) for p, a in pairs]
         return shaped(np.array(peaks), np.shape(self.half_width))
@@ -136,7 +136,7 @@ class LineSolution(OfStrip, OfWidth[Q]):
         return Strip(a, rim_load(self.problem.bed, force, a))
 
     def greatest_stress(self, friction: float = 0.0, *, below: bool = True) -> Placed:
-        """Return the greatest von Mises stress [Pa] under one load, and its place x, z [m] in the axes of the body.
+        """Return the maximum von Mises stress [Pa] under one load, and its place x, z [m] in the axes of the body.
 
         Parameters
         ----------
@@ -192,7 +192,7 @@ class LineSolution(OfStrip, OfWidth[Q]):
         return line_contact_notes(self._bed, self.force_per_length, self.half_width, friction)
 
     def part_stress(self, part: StrongPart, friction: float) -> Placed:
-        """Return the greatest von Mises stress [Pa] of a part under one load, and its place [m].
+        """Return the maximum von Mises stress [Pa] of a part under one load, and its place [m].
 
         Parameters
         ----------

@@ -48,17 +48,16 @@ INTERFACE_PLACES = 65
 
 @value
 class LayerStress:
-    """The greatest stresses of one layer under a line contact.
+    """The maximum stresses of one layer under a line contact.
 
     Parameters
     ----------
     layer : int
         Number of the layer from the surface, 1 the uppermost; the body under the layers comes last.
     von_mises, x, z : float
-        Greatest von Mises stress [Pa] and its place [m], without friction on the right of the middle, and below the
-        surface.
+        Maximum von Mises stress [Pa] and its place [m]; without friction the place in the right half of the layer.
     interface_shear, interface_x : float
-        Greatest shear stress on its lower face [Pa], positive, and its place [m]; nan below the last interface.
+        Maximum shear stress on its lower face [Pa], positive, and its place [m]; nan below the last interface.
     """
 
     __words__ = words(

@@ -35,7 +35,7 @@ LAST = 40.0
 
 @value
 class RollerCentre:
-    """The centre of a solid roller that bears the same force per length on its opposite side.
+    """The centre of a solid roller with the same force per length on its opposite side.
 
     Parameters
     ----------

@@ -68,21 +68,22 @@ LOWERED = 1e-10
 
 @value
 class LineShakedown:
-    """Up to which force per length does a body stay elastic in the end that a strip rolls over again and again?
+    """The force per length up to which a body under repeated rolling shakes down to elastic behaviour.
 
     Parameters
     ----------
     bed : LineFoundation or LayeredLineFoundation
-        Profile and bodies, on a `HalfSpace` or on layers, of which at least one part was given a strength.
+        Profile and bodies, on a `HalfSpace` or on layers; at least one part has a strength.
     friction : Coulomb, optional
-        The rolling contact slides everywhere, and drags each body by mu p; none unless given.
+        Coulomb's law of a rolling contact that slides everywhere, with the traction mu p on each body; no friction by
+        default.
 
     Raises
     ------
     InvalidInput
         If no body has a strength, or the medium is not isotropic.
     OutsideValidity
-        If there is friction on a layer that slides on what lies below it.
+        If there is friction on a layer that slides on the material below.
 
     References
     ----------
@@ -102,7 +103,7 @@ class LineShakedown:
         self.bed.refuse_dragged(self.friction.coefficient)
 
     def solve(self) -> LineShakedownSolution:
-        """Return the greatest load, and where the stress is at its limit then.
+        """Return the maximum load, and where the stress is at its limit then.
 
         Raises
         ------
@@ -139,8 +140,9 @@ class LineShakedownSolution(OfWidth[float]):
     force_per_length, half_width : float
         [N/m], [m] of the limit.
     x, z : float
-        Where the shear reaches its limit [m], or von Mises' stress beside the best residual stresses where these limit
-        the load; in the axes of the body, which is dragged along x; below zero (also -0.0) in the second.
+        Place of the limiting stress [m] in the axes of the body, with the traction along x. It is that of the shear
+        stress, or of von Mises' stress with the best residual stresses if these limit the load. Negative z (also -0.0)
+        is in the second body.
     """
 
     __words__ = words(x=("x", "m", "place along the surface"))
@@ -159,8 +161,9 @@ class LineShakedownSolution(OfWidth[float]):
         note = Note(
             Assumption.ELASTIC,
             Standing.EXACT,
-            "Elastic, perfectly plastic solids (von Mises), each with its own strength; the limit is Melan's: residual "
-            "stresses along and across the direction of rolling exist at each depth with which the body stays elastic.",
+            "Elastic, perfectly plastic solids (von Mises), each with its own strength. The limit is Melan's: at "
+            "each depth residual stresses along and across the rolling direction exist with which the body stays "
+            "elastic.",
             MELAN,
         )
         if isinstance(bed, LayeredLineFoundation):

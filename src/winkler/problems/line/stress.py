@@ -55,7 +55,7 @@ class LineFields:
 
     @property
     def max_shear(self) -> Array:
-        """Greatest shear stress [Pa], half the difference of the outermost principal stresses, of which y has one."""
+        """Maximum shear stress [Pa], half the difference of the extreme principal stresses, including that along y."""
         middle, half = (
             0.5 * (self.xx_stress + self.zz_stress),
             np.hypot(0.5 * (self.xx_stress - self.zz_stress), self.xz_stress),

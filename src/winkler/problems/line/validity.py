@@ -32,9 +32,9 @@ def line_notes(bed: LineBed, half_width: float, *, sticking: bool = False) -> tu
         response = Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "Linear elastic bodies whose modulus follows one power of the depth, in plane strain under normal load: "
-            "flat punches of all half-widths add up to the solution itself; the ends of a body of finite length are "
-            "not included.",
+            "Linear elastic bodies whose modulus follows one power of the depth, in plane strain under normal "
+            "load. The sum of flat punches of all half-widths is the exact solution. Effects of the ends of a "
+            "body of finite length are neglected.",
             PALLOT,
         )
         range_of_law = (note for note in bed.medium.notes if note.standing is not Standing.EXACT)
@@ -42,8 +42,8 @@ def line_notes(bed: LineBed, half_width: float, *, sticking: bool = False) -> tu
     response = Note(
         Assumption.RESPONSE,
         Standing.EXACT,
-        "Homogeneous, linear elastic half-planes in plane strain under normal load: flat punches of all "
-        "half-widths add up to the solution itself; the ends of a body of finite length are not included.",
+        "Homogeneous, linear elastic half-planes in plane strain under normal load. The sum of flat punches of "
+        "all half-widths is the exact solution. Effects of the ends of a body of finite length are neglected.",
         JAEGER,
     )
     return shape_notes(bed, half_width, response, examined=not sticking)
@@ -70,14 +70,14 @@ def shape_notes(bed: LineBed, half_width: float, response: Note, *, examined: bo
     if math.isfinite(bed.size):
         notes.append(large_body_note(half_width / bed.size, strip=True))
     if half_width >= bed.rim:
-        text = "The contact is pinned at the rim; the pressure is infinite there: a real edge yields or is rounded."
+        text = "The contact is pinned at the rim, where the pressure is infinite; a real edge yields or is rounded."
         notes.append(Note(Assumption.SHAPE, Standing.EXACT, text, "flat punch of Sadowsky"))
     if not bed.single and examined:
         notes.append(
             Note(
                 Assumption.SINGLE_CONTACT,
                 Standing.EXACT,
-                "That the contact is one strip was checked: no tension inside, no overlap outside.",
+                "It was checked that the contact is one strip: no tension inside, no overlap outside.",
                 "a-posteriori check of pressure and separation, at sampled places",
             )
         )

@@ -46,7 +46,7 @@ class LinePartOnset:
     name : str
         What it is called.
     force_per_length, half_width : float
-        [N/m], [m] when it begins to yield; infinite where it does not within what was examined.
+        Load and half-width at the onset of yield [N/m], [m]; infinite if no yield was found in the examined range.
     x, z : float
         Where [m], as of `LineYieldOnsetSolution`; nan where it does not yield.
     why : str
@@ -71,21 +71,21 @@ class LinePartOnset:
 
 @value
 class LineYieldOnset:
-    """Under which force per length does each body below a line contact begin to yield, at rest or while it slides?
+    """The force per length at which each body in a line contact begins to yield, with or without sliding.
 
     Parameters
     ----------
     bed : LineFoundation or LayeredLineFoundation
-        Profile and bodies, on a `HalfSpace` or on layers, of which at least one part was given a strength.
+        Profile and bodies, on a `HalfSpace` or on layers; at least one part has a strength.
     friction : Coulomb, optional
-        The contact slides everywhere, and drags each body by mu p; none unless given.
+        Coulomb's law of a contact that slides everywhere, with the traction mu p on each body; no friction by default.
 
     Raises
     ------
     InvalidInput
         If no body has a strength, or the medium is not isotropic.
     OutsideValidity
-        If there is friction on a layer that slides on what lies below it.
+        If there is friction on a layer that slides on the material below.
 
     References
     ----------
@@ -147,8 +147,8 @@ class LineYieldOnsetSolution(OfWidth[float]):
     force_per_length, half_width : float
         [N/m], [m] when yielding begins.
     x, z : float
-        Where it begins [m], in the axes of the body, which is dragged along x; below zero (also -0.0) in the second
-        one.
+        Place of the onset [m] in the axes of the body, with the traction along x; negative z (also -0.0) in the second
+        body.
     onsets : tuple of LinePartOnset
         The same of each part that has a strength, from the uppermost layer of the first body down.
     """

@@ -80,7 +80,7 @@ def bulk_note(lean: float, half_width: float, load: float) -> Note:
     """
     share = abs(lean) * load / (0.5 * half_width)
     text = (
-        "The bulk stress shifts what sticks, which stays inside of the contact; it is "
-        f"{share:.3g} of the one at which an edge begins to slip against the shear force."
+        "The bulk stress displaces the stick zone, which remains inside the contact. An edge begins to slip "
+        f"against the shear force at a higher bulk stress; the present one is {share:.3g} of it."
     )
     return Note(Assumption.SLIP, Standing.EXACT, text, NOWELL_HILLS)

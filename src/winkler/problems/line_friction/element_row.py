@@ -337,6 +337,6 @@ def refuse_sliding(friction: float, force: float, shear: float, unit: float) -> 
     """
     if abs(shear) > friction * force * (1.0 + SLIDING_TOLERANCE):
         raise OutsideValidity(
-            f"a shear force of {shear * unit:.6g} N/m is prescribed where friction bears "
-            f"{friction * force * unit:.6g} N/m at most, and the bodies would slide away; give a smaller one."
+            f"a shear force of {shear * unit:.6g} N/m is prescribed, but the friction limit is "
+            f"{friction * force * unit:.6g} N/m, and the bodies would slide away; give a smaller one."
         )

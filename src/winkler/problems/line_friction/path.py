@@ -35,13 +35,12 @@ class LinePath:
     shear_force_per_length : float or ndarray, (points,)
         Q [N/m] along x on the first body, against x on the second; one number holds all the time.
     bulk_stress : float or ndarray, (points,), optional
-        Stress along x in the first body, far from the contact [Pa], tension positive.  One number is the stress when
-        the shear force is at its greatest magnitude and positive, to which it is proportional; an array states the
-        stress at every point.
+        Stress along x in the first body, far from the contact [Pa], tension positive.  One number is the bulk stress at
+        the maximum positive shear force, to which the stress is proportional. An array gives the stress at every point.
     count : int, optional
         Into how many equal parts each step between two points is divided.
     time : float or ndarray, (points,), optional
-        When the points are reached [s], never falling, of bodies that relax; equal times are a sudden step.
+        When the points are reached [s], never falling, of viscoelastic bodies; equal times are a sudden step.
 
     Raises
     ------

@@ -283,9 +283,9 @@ def refuse_timeless(bed: LineFoundation | LayeredLineFoundation, path: LinePath,
     medium: Any = bed.medium
     if not medium.in_proportion:
         raise InvalidInput(
-            f"LineTangential: {medium.reason} so that a wide strip relaxes otherwise than a narrow one, and no single "
-            "function of time stands for all elements, as it must here; give LayeredLineFoundation(profile, "
-            "RelaxingInProportion(medium, solid, shear)) of layers that relax alike."
+            f"LineTangential: {medium.reason} Wide and narrow contacts therefore relax differently. This problem "
+            "needs one relaxation function for all elements. Give LayeredLineFoundation(profile, "
+            "RelaxingInProportion(medium, solid, shear)) of layers with a common relaxation function."
         )
     if method is Method.EXACT:
         raise InvalidInput(

@@ -59,8 +59,8 @@ class LineTangential:
     Parameters
     ----------
     bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
-        Profile and bodies: half-planes, or layers through which shear reaches the base, elastic, or relaxing by one
-        function of time.
+        Profile and bodies: half-planes, or layers that transmit shear to the base, elastic or with one common
+        relaxation function.
     law : Coulomb
         Friction.
     path : LinePath
@@ -74,7 +74,7 @@ class LineTangential:
         If the method is another one.  If bodies relax, each by a law of its own, or along a path without time.  If the
         body, or what carries its layers, is rigid and there is a bulk stress.
     OutsideValidity
-        If a layer slides on what lies below it.
+        If a layer slides on the material below.
 
     References
     ----------
@@ -145,8 +145,8 @@ class LineTangential:
         Raises
         ------
         OutsideValidity
-            If friction does not bear the shear force, or the bulk stress makes hardly anything stick: at that point,
-            the states before it have been yielded.  If the method exact is asked for where no sum holds.
+            If the shear force exceeds the friction limit, or the bulk stress leaves hardly any stick zone. The error is
+            raised at that point, after all earlier states.  If the method exact is asked for where no sum holds.
         """
         bed, mu = self.bed, self.law.coefficient
         if self.relaxes:
@@ -232,18 +232,18 @@ class LineTangentialSolution(LineSlip[Array], Cycled, OfPath["LineTangentialStat
     def friction_work(self, x: ArrayLike) -> Array:
         """Return what friction has lost along the path at places of the surface, per area [J/m^2].
 
-        Over the coefficient of friction it is pressure times slip, which Archard's law of wear takes.
+        Divided by the coefficient of friction it is pressure times slip, the input of Archard's law.
 
         Parameters
         ----------
         x : array_like
-            Places on the surface [m]; nothing is lost outside of the contact.
+            Positions on the surface [m]; the dissipation outside the contact is zero.
 
         Raises
         ------
         OutsideValidity
-            If the normal force changes along a path that was not marched along: what slips under a pressure that
-            changes is not summed by place.
+            If the normal force changes along a path that was not computed step by step: the local dissipation is then
+            not available.
         """
         last = self.states[-1]
         if isinstance(last, LineMarchedState):

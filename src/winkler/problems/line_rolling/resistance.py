@@ -53,8 +53,8 @@ class LineRollingResistance(PerLoad[Q]):
     Parameters
     ----------
     bed : LineFoundation or LayeredLineFoundation
-        A Paraboloid on a ViscoelasticHalfSpace that is a solid: neither flows for ever nor resists a step without
-        bound; or on layers of which some relax, alike or each by a law of its own, or a film that loses its liquid.
+        A Paraboloid on a ViscoelasticHalfSpace that is a solid: no flow at long times, and a finite modulus at short
+        times. Or on layers of which at least one is viscoelastic, or on a poroelastic film.
     load : LineForce, HalfWidth or MeanPressure
         The steady load, one positive number; a half-width is half of the width from edge to edge.
     speed : float or ndarray
@@ -147,8 +147,8 @@ class LineRollingResistanceSolution(OfWidth[Q]):
     force_per_length, half_width : float or ndarray
         P [N/m], and half of the width from edge to edge [m].
     leading_edge, trailing_edge : float or ndarray
-        Where the contact begins and ends [m], from the lowest point of the cylinder; the latter is negative unless the
-        solid relaxes by some orders of magnitude and creeps in full before that point, as a fluid does.
+        Ends of the contact [m], from the lowest point of the cylinder. The trailing edge is negative unless the solid
+        relaxes by some orders of magnitude and creeps completely before that point, as a liquid does.
     shear_force_per_length : float or ndarray
         Q [N/m] that resists the motion.
     """
@@ -175,7 +175,7 @@ class LineRollingResistanceSolution(OfWidth[Q]):
 
     @property
     def peak_pressure(self) -> Q:
-        """The greatest pressure [Pa]."""
+        """The maximum pressure [Pa]."""
         pairs = zip(np.ravel(self.half_width), np.ravel(self.speed), strict=True)
         peaks = [
             passage(self.problem.bed, HalfWidth(float(width)), float(speed)).peak_pressure for width, speed in pairs
@@ -243,8 +243,8 @@ def _on_layers(bed: LayeredLineFoundation) -> Note:
     return Note(
         Assumption.RESPONSE,
         bed.layered_body.in_plane[0],
-        f"{medium.described} in plane strain, at a steady speed, without friction and inertia: each wave of pressure "
-        "is answered at the rate with which it passes; both bodies pass the contact with this speed.",
+        f"{medium.described} in plane strain, at a steady speed, without friction and inertia. Each wavelength of "
+        "the pressure acts with the frequency at which it passes. Both bodies pass the contact with this speed.",
         source,
     )
 
@@ -252,13 +252,14 @@ def _on_layers(bed: LayeredLineFoundation) -> Note:
 EXAMINED = Note(
     Assumption.SINGLE_CONTACT,
     Standing.APPROXIMATE,
-    "Nowhere inside is the strip pulled; whether layers bulge beside it and touch there, too, is not examined.",
+    "The pressure was checked: no tension inside the strip. It was not checked whether layers bulge and "
+    "touch beside the strip.",
     "a-posteriori check of the pressure, at sampled places",
 )
 HUNTER = Note(
     Assumption.RESPONSE,
     Standing.EXACT,
-    "Linear viscoelastic half-planes in plane strain with Poisson's ratios that do not change in time, at a steady "
-    "speed, without friction and inertia; both bodies pass the contact with this speed.",
+    "Linear viscoelastic half-planes in plane strain with constant Poisson's ratios, at a steady speed, without "
+    "friction and inertia. Both bodies pass the contact with this speed.",
     "S. C. Hunter, J. Appl. Mech. 28 (1961) 611-617, doi:10.1115/1.3641792",
 )

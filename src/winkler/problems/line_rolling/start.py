@@ -76,18 +76,18 @@ ONE_DRIVE = Condition(
 
 @value
 class LineRollingStart:
-    """A cylinder at rest that begins to roll, under a force per length that is held or with a prescribed creepage.
+    """A cylinder that begins to roll from rest, at constant force per length or with a prescribed creepage.
 
     Parameters
     ----------
     bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
-        Its profile a Paraboloid, the relative radius of both bodies; layers through which shear reaches the base, or
-        a body graded with depth.
+        A foundation with a Paraboloid of the relative radius of both bodies; on layers that transmit shear to the base,
+        or on a body graded with depth.
     friction : Coulomb
         Its coefficient positive and finite.
     drive : LineShearForce or Creepage
-        The force per length that the contact bears at rest and while it rolls, less than friction bears; or the
-        longitudinal creepage with which it rolls, from rest without a force.  One number.
+        The constant force per length at rest and during rolling, below the friction limit; or the longitudinal
+        creepage, from rest without a force.  One number.
     load : LineForce, HalfWidth or MeanPressure
         The steady normal load, one number.
     distance : float
@@ -105,7 +105,7 @@ class LineRollingStart:
     InvalidInput
         If the profile is not round, a number is out of range, a creepage has no reference, or a force has one.
     OutsideValidity
-        If a creepage is lateral or a spin; if a layer slides on what lies below it, or the bodies relax.
+        If a creepage is lateral or a spin; if a layer slides on the material below, or the bodies are viscoelastic.
 
     References
     ----------
@@ -180,7 +180,7 @@ class LineRollingStart:
         Raises
         ------
         OutsideValidity
-            If the bodies do not touch, friction does not bear the force, or the travel is too long to be followed.
+            If the bodies do not touch, the force exceeds the friction limit, or the travel is too long.
         NotConverged
             If the zones of stick and slip are not found.
         """
@@ -199,8 +199,8 @@ class LineRollingStart:
             force = float(drive.shear_force_per_length)
             if abs(force) >= most:
                 raise OutsideValidity(
-                    f"LineRollingStart: a shear force of {force:.6g} N/m was given, and friction bears less than "
-                    f"{most:.6g} N/m at rest: give less."
+                    f"LineRollingStart: a shear force of {force:.6g} N/m was given, but the friction limit at "
+                    f"rest is {most:.6g} N/m: give less."
                 )
             total, reference = force / (modulus * apart), a  # which falls out, as the sum stays
         else:
@@ -265,7 +265,7 @@ class LineRollingStartSolution:
     longitudinal_creepage : ndarray, (steps,)
         xi [-] over the last element rolled; zero at rest.
     shear_force_per_length : ndarray, (steps,)
-        Q [N/m], with which the second body drags the first along the direction of rolling.
+        Q [N/m] on the first body along the rolling direction.
     stick_share : ndarray, (steps,)
         Part of the width that sticks [-].
     states : tuple

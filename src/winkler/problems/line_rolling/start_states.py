@@ -14,26 +14,26 @@ __all__ = ["DRAGGED", "ELEMENTS", "ELEMENTS_ON_LAYERS", "LineRollingState", "rol
 ELEMENTS = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "Boundary elements with Coulomb friction. With 80 elements on half of the contact the steady creepage has an "
-    "error of up to 0.2 % of Carter's. This holds from a tenth to nine tenths of the force of sliding; beyond, it is "
-    "0.6 %. The error halves with twice as many; yielding is that of the steady state.",
+    "Boundary elements with Coulomb friction. With 80 elements on the half-width the steady creepage differs "
+    "from Carter's by at most 0.2 %. This holds for shear forces of 10 to 90 % of mu P; outside this range the "
+    "difference is 0.6 %. Errors halve with twice as many elements. Yield is evaluated for the steady state.",
     "compared with Carter's closed form; J. J. Kalker, J. Appl. Mech. 37 (1970) 677-688",
 )
 ELEMENTS_ON_LAYERS = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "Boundary elements with Coulomb friction and the response of the layers to shear. With 80 elements on half of "
-    "the contact the steady creepage differs by up to 0.4 % from that of `LineRolling`. This holds from a tenth to "
-    "nine tenths of the force of sliding; beyond, it is 0.6 %. The error halves with twice as many; the stresses of "
-    "yielding are those of a contact that slides.",
+    "Boundary elements with Coulomb friction and the shear response of the layers. With 80 elements on the "
+    "half-width the steady creepage differs from that of `LineRolling` by at most 0.4 %. This holds for shear "
+    "forces of 10 to 90 % of mu P; outside this range the difference is 0.6 %. Errors halve with twice as many "
+    "elements. Yield is evaluated for full sliding.",
     "compared with singular integral equations of the steady state; J. J. Kalker, J. Appl. Mech. 37 (1970) 677-688",
 )
 DRAGGED = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "The pressure displaces the surfaces tangentially, since the bodies or their layers are dissimilar. This is "
-    "included; at rest as if all of the load had come in one step. They do not come to the state that `steady` "
-    "states, in which it does not.",
+    "The pressure displaces the surfaces tangentially, because the bodies or their layers are dissimilar. The "
+    "solution includes this displacement. At the start the whole normal load is assumed to have been applied in "
+    "one step. The contact does not approach the solution `steady`, which neglects this displacement.",
     "R. H. Bentall, K. L. Johnson, Int. J. Mech. Sci. 9 (1967) 389-404; compared with CONTACT",
 )
 

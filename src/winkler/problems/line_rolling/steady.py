@@ -64,13 +64,13 @@ SLIDING_TOLERANCE = 1e-12
 CARTER = Note(
     Assumption.SLIP,
     Standing.EXACT,
-    "Coulomb friction, steady rolling in plane strain: the zones of stick and slip and the tractions are Carter's.",
+    "Coulomb friction, steady rolling in plane strain. Stick zone, slip zone and tractions are those of Carter.",
     "F. W. Carter, Proc. R. Soc. A 112 (1926) 151-157, doi:10.1098/rspa.1926.0100",
 )
 NOT_COUPLED = Note(
     Assumption.UNCOUPLED,
     Standing.EXACT,
-    "The bodies are elastically similar: pressure and traction do not act on each other, and `coupled` has no effect.",
+    "The bodies are elastically similar: pressure and traction are uncoupled, and `coupled` has no effect.",
     "Dundurs' constant beta is zero",
 )
 
@@ -82,27 +82,27 @@ class LineRolling(PerLoad[Q]):
     Parameters
     ----------
     bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
-        Its profile a Paraboloid, the relative radius of both bodies; layers through which shear reaches the base, or
-        a body graded with depth.
+        A foundation with a Paraboloid of the relative radius of both bodies; on layers that transmit shear to the base,
+        or on a body graded with depth.
     friction : Coulomb
         Its coefficient positive and finite.
     drive : LineShearForce or Creepage
-        What is prescribed, one number or an array: the force per length with which the second body drags the first
-        along the direction of rolling, or the longitudinal creepage.
+        One number or an array: the force per length on the first body along the rolling direction, or the longitudinal
+        creepage.
     load : LineForce, HalfWidth or MeanPressure
         The steady normal load, one number.
     coupled : bool, optional
         Whether pressure and traction of dissimilar bodies, or of layers, act on each other; without it they do not
-        (Carter).  On layers, and where they do, the strip is divided into 400 elements, dense at both edges, and bears
-        the load of the contact without friction.
+        (Carter).  On layers, and for coupled bodies, the strip is divided into 400 elements, dense at both edges, with
+        the normal load of the frictionless contact.
 
     Raises
     ------
     InvalidInput
         If the profile is not round, friction not Coulomb's with a positive, finite coefficient, or the load an array.
     OutsideValidity
-        If a creepage is lateral or a spin: plane strain has none; if a layer slides on what lies below it, or the
-        bodies relax.
+        If a creepage is lateral or a spin, which plane strain excludes. If a layer slides on the material below, or the
+        bodies are viscoelastic.
 
     References
     ----------
@@ -151,7 +151,7 @@ class LineRolling(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If the bodies do not touch, or a prescribed force is more than friction bears.
+            If the bodies do not touch, or a prescribed force exceeds the friction limit.
         NotConverged
             If pressure and traction are not found.
         """
@@ -164,8 +164,8 @@ class LineRolling(PerLoad[Q]):
             force = np.asarray(self.drive.shear_force_per_length, dtype=float)
             if np.any(np.abs(force) > most * (1.0 + SLIDING_TOLERANCE)):
                 raise OutsideValidity(
-                    f"LineRolling: friction bears {most:.6g} N/m, less than the {np.max(np.abs(force)):.6g} N/m given: "
-                    "the bodies slide; give less, or prescribe a creepage."
+                    f"LineRolling: the friction limit is {most:.6g} N/m, less than the given "
+                    f"{np.max(np.abs(force)):.6g} N/m: the bodies slide; give less, or prescribe a creepage."
                 )
             if by_elements:
                 return self._by_nodes(contact, np.clip(force, -most, most))
@@ -204,7 +204,7 @@ class LineRolling(PerLoad[Q]):
 
 @value
 class LineRollingSolution(UnderOneDrive[Q]):
-    """The solution of a `LineRolling`; each quantity has the shape of what was prescribed.
+    """The solution of a `LineRolling`; each quantity has the shape of the prescribed one.
 
     Parameters
     ----------
@@ -213,7 +213,7 @@ class LineRollingSolution(UnderOneDrive[Q]):
     longitudinal_creepage : float or ndarray
         xi [-]; at a prescribed force at which all slides the least one.
     shear_force_per_length : float or ndarray
-        Q [N/m], with which the second body drags the first along the direction of rolling.
+        Q [N/m] on the first body along the rolling direction.
     stick_share : float or ndarray
         Part of the width that sticks, c/a [-].
     contact : LineSolution

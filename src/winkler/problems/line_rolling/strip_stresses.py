@@ -20,7 +20,7 @@ BENTALL = "R. H. Bentall, K. L. Johnson, Int. J. Mech. Sci. 9 (1967) 389-404, do
 FULL_COUPLING = Note(
     Assumption.UNCOUPLED,
     Standing.EXACT,
-    "Pressure and traction act on each other, both ways.",
+    "Pressure and traction are coupled in both directions.",
     BENTALL,
 )
 ACROSS, DOWN = 61, 31
@@ -55,16 +55,17 @@ def strip_stresses(
 
 def strip_note(strip: RolledStrip, slope: float) -> Note:
     """Return how far creepage, force and loss of a strip are off, under a slope a/R [-]."""
-    part, lost = 100.0 * creepage_error(strip), "The loss is too small for these elements to show."
+    part, lost = 100.0 * creepage_error(strip), "The dissipated energy is too small to be resolved by these elements."
     error = loss_error(strip, slope)
     if error < strip.loss:
-        lost = f"The loss is within {100.0 * error / strip.loss:.2g} % of itself."
+        lost = f"The error of the dissipated energy is at most {100.0 * error / strip.loss:.2g} % of this energy."
     return Note(
         Assumption.SLIP,
         Standing.APPROXIMATE,
-        f"Coulomb friction, steady rolling in plane strain on {strip.slip.size} elements. The error of the creepage "
-        f"is within {part:.2g} % of it, or of the creepage at full stick without a force if that is greater. Under a "
-        f"prescribed creepage the force is within {part:.2g} % of what friction bears. {lost}",
+        f"Coulomb friction and steady rolling in plane strain, on {strip.slip.size} elements. The error of the "
+        f"creepage is at most {part:.2g} % of the creepage or of the full-stick creepage at zero shear force, "
+        f"whichever is greater. If the creepage is prescribed, the error of the shear force is at most {part:.2g} "
+        f"% of the friction limit. {lost}",
         "closed form where all sticks; random strips compared with finer elements",
     )
 

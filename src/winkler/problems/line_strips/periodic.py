@@ -56,13 +56,13 @@ class PeriodicIndentation(PerLoad[Q]):
     pitch : float
         Distance of the crests [m], positive.
     load : NominalPressure, LineForce or HalfWidth
-        What is prescribed: the pressure over the whole surface, or of each strip the force per length or half-width;
-        its value may be an array, the results then have its shape.
+        The mean pressure over the whole surface, or the force per length or half-width of each strip. For an array the
+        results have its shape.
 
     Raises
     ------
     InvalidInput
-        If the profile is not known up to half of the pitch, has a rim, or is as high elsewhere as at x = 0.
+        If the profile is not known up to half of the pitch, has a rim, or is elsewhere as high as at x = 0.
 
     References
     ----------
@@ -200,7 +200,7 @@ class PeriodicSolution(Stressed, OfWidth[Q]):
 
     @property
     def peak_pressure(self) -> Q:
-        """The greatest pressure [Pa]; infinite at a sharp crest or kink, zero without contact."""
+        """The maximum pressure [Pa]; infinite at a sharp crest or kink, zero without contact."""
         strips = [self._strip_of(float(p), float(a)) for p, a in self._pairs()]
         return shaped(np.array([periodic_peak(self._bed, strip) for strip in strips]), np.shape(self.half_width))
 

@@ -81,7 +81,8 @@ def periodic_notes(bed: PeriodicBed, one: LineFoundation | LayeredLineFoundation
     response = Note(
         Assumption.RESPONSE,
         standing,
-        f"{bodies}, in equal strips without end; far below, a patch of them many pitches wide is pressed evenly.",
+        f"{bodies}. Equal strips repeat at the pitch without end. Far below the surface they act like a "
+        "uniform pressure.",
         WAVES if layered else WESTERGAARD,
     )
     if a == 0.0:
@@ -90,10 +91,10 @@ def periodic_notes(bed: PeriodicBed, one: LineFoundation | LayeredLineFoundation
     inside = np.linspace(0.0, a, 66)[1:-1]
     notes = [*one.notes, response, steepness_note(float(np.max(np.abs(one.slope(inside)))))]
     if extra > 0.0:
-        text = "All is in contact; more load presses evenly."
+        text = "The surfaces are in full contact; additional load adds a uniform pressure."
         notes.append(Note(Assumption.EQUILIBRIUM, Standing.EXACT, text, WESTERGAARD))
     if not bed.line.single:
-        text = "That each crest has one strip was checked: no tension inside, no overlap outside."
+        text = "It was checked that each crest has one strip: no tension inside, no overlap outside."
         source = "a-posteriori check of pressure and separation, at sampled places"
         notes.append(Note(Assumption.SINGLE_CONTACT, Standing.EXACT, text, source))
     return (*notes, *(yield_notes(bed, *strip) if layered else _yield_notes(bed, strip)))
@@ -104,7 +105,7 @@ def _yield_notes(bed: PeriodicBed, strip: Strip) -> tuple[Note, ...]:
     if not parts:
         return ()
     if is_sharp(bed.line, bed.line.rim, 0.0):
-        text = "The elastic stress is infinite at a sharp crest or kink, which yields under the smallest load."
+        text = "The elastic stress is infinite at a sharp crest or kink, which yields under any load."
         return (Note(Assumption.ELASTIC, Standing.APPROXIMATE, text, MISES),)
     closed = in_closed_form(bed.profile)
     found = []

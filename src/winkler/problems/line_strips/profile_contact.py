@@ -48,15 +48,14 @@ class LineProfileContact(PerLoad[Q]):
     section : CylinderRow, PunchRow, MirroredSection, FormulaSection or MeasuredSection
         The gap between the undeformed bodies across their length.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, PlaneMedium or GradedHalfSpace
-        Both bodies: homogeneous, or one of them in layers, bonded or sliding, or graded with depth, such as a
-        CoatedHalfSpace, StackedHalfSpace, SlidingFilm or DepthGradedHalfSpace; or graded by a power of the depth, a
-        GradedHalfSpace.
+        Both bodies: homogeneous, layered (bonded or sliding) or graded with depth. Examples are a CoatedHalfSpace,
+        StackedHalfSpace, SlidingFilm, DepthGradedHalfSpace or GradedHalfSpace.
     load : LineForce
         The force per length; its value may be an array, the results then have its shape.
     alignment : Tilt or LineOfAction, optional
         The tilt, none unless given, or where the force acts on a body that is free to tilt.
     elements : int, optional
-        Places of the first grid; evenly spaced measured points are taken as they are.
+        Number of positions of the first grid; evenly spaced measured points are used unchanged.
 
     Raises
     ------
@@ -112,7 +111,7 @@ class LineProfileContact(PerLoad[Q]):
         Raises
         ------
         OutsideValidity, NotConverged
-            If a load is tensile or leads to the end of what is known of the section; if the strips are not found.
+            If a load is tensile or exceeds the known range of the section; if the strips are not found.
         """
         flat = pressing("LineProfileContact", self.load)
         found = [self._found(force) for force in flat.tolist()]
@@ -155,7 +154,7 @@ class LineProfileSolution(PerLoad[Q]):
     force_per_length : float or ndarray
         P [N/m], compression positive.
     tilt : float or ndarray
-        theta, positive where it presses the end at positive x; zero without contact of a body that is free to tilt.
+        theta, positive if the end at positive x is pressed in; zero without contact for a body that is free to tilt.
     line_of_action : float or ndarray
         Where the resultant of the pressures acts [m]; without contact as prescribed, or zero.
     strip_count : float or ndarray
@@ -163,12 +162,12 @@ class LineProfileSolution(PerLoad[Q]):
     contact_length : float or ndarray
         Sum of their widths [m].
     peak_pressure : float or ndarray
-        The greatest pressure [Pa], that of an element where strips were not refined; infinite under a sharp crest or
+        The maximum pressure [Pa], that of an element if strips were not refined. It is infinite under a sharp crest or
         at a wall.
     strip_error : float or ndarray
-        Of refined strips the greatest of tension, overlap and what is left of the equations, each over its scale; of
-        elements the greatest relative change of contact length and greatest pressure from half as many, or an element
-        of every strip over all that touch, if that is greater.
+        For refined strips: the largest of tension, overlap and residual of the equations, each over its scale. For
+        elements: the relative change of contact length and maximum pressure from half as many, or one element per strip
+        over all in contact, whichever is greater.
     """
 
     __words__ = words(tilt=(r"\theta", "rad", "tilt of the body"), edges=("x", "m", "edges of each strip"))
@@ -193,7 +192,7 @@ class LineProfileSolution(PerLoad[Q]):
 
     @property
     def refined(self) -> bool:
-        """Whether the strips under the greatest load were refined; otherwise they are elements."""
+        """Whether the strips under the maximum load were refined; otherwise they are elements."""
         found = self.problem._found(float(np.max(self.force_per_length)))
         return found is not None and found.refined
 
@@ -209,11 +208,11 @@ class LineProfileSolution(PerLoad[Q]):
 
     @property
     def strip_peaks(self) -> Array:
-        """The greatest pressure of each strip under one load [Pa], (n,)."""
+        """The maximum pressure of each strip under one load [Pa], (n,)."""
         return found.peaks if (found := self._one("strip_peaks")) else np.zeros(0)
 
     def pressure(self, x: ArrayLike) -> Array:
-        """Return the pressure under one load [Pa], zero beside the strips.
+        """Return the pressure under one load [Pa], zero outside the strips.
 
         Parameters
         ----------
@@ -282,7 +281,7 @@ class LineProfileSolution(PerLoad[Q]):
         Parameters
         ----------
         index : int or tuple of int
-            Which one; refused where there is no such load.
+            Index of the load; an error is raised if it does not exist.
         """
         names = [field.name for field in dataclasses.fields(self)[1:]]
         results = one_of(index, *(getattr(self, name) for name in names))

@@ -56,9 +56,9 @@ def profile_notes(section: Section, medium: LineMedium, found: FoundStrips | Non
     response = Note(
         Assumption.RESPONSE,
         standing,
-        f"{body}: all strips press on each other; the ends of a body of finite length and thickness are not included."
+        f"{body}. All strips interact. Effects of the ends of a body of finite length and thickness are neglected."
         if layered is None
-        else f"{body}; all strips press on each other, and the ends of a body of finite length are not included.",
+        else f"{body}. All strips interact. Effects of the ends of a body of finite length are neglected.",
         source,
     )
     if offers(medium, PowerOfDepth):
@@ -70,16 +70,17 @@ def profile_notes(section: Section, medium: LineMedium, found: FoundStrips | Non
         return (*section_notes, response, Note(Assumption.EQUILIBRIUM, Standing.EXACT, apart, "the load is zero"))
     if found.refined:
         text = (
-            "Edges and pressures of the strips were refined: no pressure pulls, no gap overlaps, and slopes are met to "
-            f"{error:.2g} of the greatest of each, at sampled places."
+            "Edges and pressures of the strips were refined. At the sampled places there is no tension and no "
+            f"overlap, and slopes are met within {error:.2g} of their maximum."
         )
         resolution = Note(Assumption.RESOLUTION, Standing.EXACT, text, "a-posteriori check between the nodes")
     else:
         text = (
-            "The strips are made of even elements: by those at the edges of each strip, or by what changes from half "
-            f"as many, contact length and greatest pressure may be off by up to {100.0 * error:.2g} per cent."
+            "The strips consist of equal elements. Contact length and maximum pressure may differ by up to "
+            f"{100.0 * error:.2g} per cent. This is estimated from the elements at the edges or from half as many "
+            "elements."
             if math.isfinite(error)
-            else "The strips are made of even elements; half as many find no contact to compare with."
+            else "The strips consist of equal elements; with half as many there is no contact to compare with."
         )
         resolution = Note(
             Assumption.RESOLUTION,
@@ -92,7 +93,7 @@ def profile_notes(section: Section, medium: LineMedium, found: FoundStrips | Non
     steep = max(float(np.max(np.abs(section.slope(x) - found.tilt))), abs(found.tilt))
     notes = [*section_notes, response, resolution, steepness_note(steep)]
     if _sharp(found):
-        text = "The pressure is infinite under a sharp crest or at a wall: a real edge yields or is rounded."
+        text = "The pressure is infinite under a sharp crest or at a wall; a real edge yields or is rounded."
         notes.append(Note(Assumption.SHAPE, Standing.EXACT, text, "elastic field at a corner"))
     return (*notes, *_yield_notes(medium, found))
 

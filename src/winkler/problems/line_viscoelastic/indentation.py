@@ -59,22 +59,22 @@ UNBALANCED = 0.1
 
 @value
 class LineViscoelasticIndentation:
-    """A cylinder, a wedge or another two-dimensional body pressed on bodies that relax, in plane strain.
+    """A cylinder, wedge or other two-dimensional body pressed on viscoelastic bodies, in plane strain.
 
-    Before the first point of the path nothing has happened; a first force that is not zero comes suddenly.
+    The load history begins with the first point of the path. A first force that is not zero is applied in one step.
 
     Parameters
     ----------
     bed : LineFoundation or LayeredLineFoundation
-        Profile and bodies, on a `ViscoelasticHalfSpace`, on layers that are `RelaxingInProportion` or relax each by a
-        law of its own, or on a `PoroelasticFilm`: Poisson's ratios of solids do not change in time.
+        Profile and bodies: on a `ViscoelasticHalfSpace`, on `RelaxingInProportion` layers, on layers with separate
+        relaxation functions, or on a `PoroelasticFilm`. Poisson's ratios of solids are constant.
     path : LineForcePath
         Force per length over time.
     count : int, optional
-        How many springs, or cells on layers that relax each by a law of its own; the error falls with its square.
+        How many springs, or cells on layers with separate relaxation functions; the error falls with its square.
     tolerance : float, optional
-        Error of the load that crept between two moments, over its greatest value.  On layers that relax each by a law
-        of its own that of the pressure in a step, and 0.1 / count^2 where that is more.
+        Error of the load that crept between two moments, over its maximum value.  On layers with separate relaxation
+        functions that of the pressure in a step, and 0.1 / count^2 where that is more.
 
     Raises
     ------
@@ -144,7 +144,7 @@ class LineViscoelasticIndentation:
         Raises
         ------
         OutsideValidity
-            If the bodies are never pressed, the load leads beyond what is known of the profile, the contact is no
+            If the bodies are never pressed, or the load exceeds the known range of the profile. If the contact is not a
             single strip, or the bodies touch beside a dent.
         """
         medium: Any = self.bed.medium
@@ -288,7 +288,7 @@ class LineViscoelasticSolution(OfPath[LineViscoelasticState]):
         Hereditary integral of creep and force per length [m]: while the strip widens, w(a).  The creep is that of the
         uppermost layer where each relaxes by a law of its own.
     mean_pressure, peak_pressure : ndarray
-        P / (2 a) and the greatest pressure [Pa]; the latter infinite at a sharp tip, kink or rim.
+        P / (2 a) and the maximum pressure [Pa]; the latter infinite at a sharp tip, kink or rim.
     states : tuple of LineViscoelasticState
         The states themselves, which have pressures and the approach.
     """
@@ -308,8 +308,8 @@ class LineViscoelasticSolution(OfPath[LineViscoelasticState]):
         Parameters
         ----------
         first, second : float, RollerCentre or PlateBase
-            Depths of the points below the surfaces of half-planes or layers [m], or finite bodies; that in a rigid
-            body, and below layers on a rigid base, may be left out.
+            Depths of the reference points below the surfaces of half-planes or layers [m], or finite bodies. Not needed
+            in a rigid body, and below layers on a rigid base.
 
         Raises
         ------
@@ -324,7 +324,7 @@ class LineViscoelasticSolution(OfPath[LineViscoelasticState]):
         return approach_of_strips(bed, float(np.max(self.half_width)), strips, (first, second))
 
     def work_per_length(self, first: Place = None, second: Place = None) -> Array:
-        """Return what was spent since the beginning, per length [J/m]: the integral of P over the approach.
+        """Return the work since the beginning, per length [J/m]: the integral of P over the approach.
 
         Between two points of the path force and approach are taken to change in proportion, an error that falls with
         the square of their distance.  Over a cycle after which all has returned it is what the bodies lose between the

@@ -53,8 +53,8 @@ def approach_of_strips(
     medium = bed.medium
     if offers(medium, RelaxingByWaves):
         raise OutsideValidity(
-            f"LineViscoelasticIndentation: {medium.reason} so that how far points inside of it come together is not "
-            "known; read half-width and pressure."
+            f"LineViscoelasticIndentation: {medium.reason} The approach of points inside the medium is therefore "
+            "not known. Read half-width and pressure."
         )
     if isinstance(bed, LayeredLineFoundation):
         line = elastic_line(bed)

@@ -33,20 +33,24 @@ def relaxing_line_notes(bed: RelaxingBed, time: Array, half_width: float) -> tup
     layered = elastic_line(bed).layered_body if isinstance(bed, LayeredLineFoundation) else None
     bodies = medium.described if layered else "Linear viscoelastic half-planes"  # type: ignore[attr-defined]
     alike = medium.in_proportion
-    carried = "the flat strips that make up its pressure relax one by one" if alike else "waves of pressure creep each"
+    carried = (
+        "the hereditary integral applies to each flat strip that makes up its pressure"
+        if alike
+        else "each wavelength of the pressure creeps separately"
+    )
     beside = "of the widest elastic contact" if alike else "of it"
     response = Note(
         Assumption.RESPONSE,
         layered.in_plane[0] if layered else Standing.EXACT,
-        f"{bodies} in plane strain with Poisson's ratios that do not change in time, without friction and inertia. "
-        f"While the contact is one strip, {carried}. The ends of a body of finite length are not included.",
+        f"{bodies} in plane strain with constant Poisson's ratios, without friction and inertia. While the "
+        f"contact is one strip, {carried}. Effects of the ends of a body of finite length are neglected.",
         TING,
     )
     examined = Note(
         Assumption.SINGLE_CONTACT,
         Standing.EXACT,
-        "That the contact is one strip was checked: no tension inside at each point of the path, and no overlap "
-        f"outside {beside}.",
+        "It was checked that the contact is one strip: no tension inside at each point of the path, and no "
+        f"overlap outside {beside}.",
         "a-posteriori check of pressure and separation, at sampled places",
     )
     own = (*shape_notes(bed, half_width, response, examined=False), *((examined,) if layered else ()))

@@ -40,7 +40,7 @@ NEW_GRID = 0.5
 
 
 class ShiftedBy(StrEnum):
-    """The moduli from which the shifts of a master curve follow."""
+    """The moduli that determine the shifts of a master curve."""
 
     BOTH = "both"
     """All that were measured."""
@@ -66,11 +66,11 @@ class MasterCurve:
     entropic : bool, optional
         Whether the moduli grow with the absolute temperature, b_T = T/T_0, as those of a rubber.
     fluid : bool, optional
-        Whether nothing remains of the modulus at last.
+        Whether the modulus tends to zero at long times.
     per_decade : int, optional
         Relaxation times in each decade, 2 to 12.
     temperature_step : float, optional
-        Rows whose temperatures differ by less [K] belong to one temperature.
+        Rows whose temperatures differ by less than this [K] belong to one temperature.
     by : ShiftedBy, optional
         From which moduli the shifts follow, where storage and loss contradict each other.  The spectrum is that of
         both, with these shifts; its errors do not contain theirs.
@@ -78,8 +78,8 @@ class MasterCurve:
     Raises
     ------
     InvalidInput
-        If a number is outside its range, there is one temperature only, none is the reference temperature, the
-        moduli are to have both factors, or a relaxation is to be shifted by storage or loss.
+        If a number is outside its range, there is only one temperature, or none is the reference temperature. If both
+        factors of the moduli are requested, or a relaxation is to be shifted by storage or loss.
 
     References
     ----------
@@ -281,9 +281,9 @@ class MasterCurveSolution(ShiftedSolid):
     residuals : ndarray
         Logarithms of measured over fitted moduli, G' before G'' [-].
     loss_over_storage, loss_over_storage_error : ndarray, (m,) or (0,)
-        Shift factor that the loss asks for over that of the storage [-], and the standard error of its natural
-        logarithm: one step of Newton from the common shifts; nan where a temperature does not tell.  Empty without
-        common shifts of storage and loss.
+        Shift factor of the loss modulus over that of the storage modulus [-], and the standard error of its natural
+        logarithm. It is computed by one Newton step from the common shifts; nan if a temperature does not determine it.
+        Empty without common shifts of storage and loss.
     """
 
     __words__ = words(

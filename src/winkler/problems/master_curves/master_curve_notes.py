@@ -56,7 +56,8 @@ def master_curve_notes(
     superposed = Note(
         Assumption.RESPONSE,
         Standing.ASYMPTOTIC if trend == 0.0 else Standing.APPROXIMATE,
-        "Temperature multiplies all times by one factor. Residuals of neighbouring rows of one temperature "
+        "Temperature is assumed to multiply all times by one factor. Residuals of neighbouring rows of one "
+        "temperature "
         + (
             "are not correlated beyond chance."
             if trend == 0.0
@@ -89,8 +90,9 @@ def contradiction_notes(temperature: Array, differences: Array, errors: Array) -
         return ()
     decades, error = differences[worst] / math.log(10.0), errors[worst] / math.log(10.0)
     text = (
-        f"Storage and loss contradict each other: at {temperature[worst]:.4g} K log10 of the shift of the loss is that "
-        f"of the storage {decades:+.2g} +- {error:.1g}; by = 'storage' or by = 'loss' shifts by one of them alone."
+        f"Storage and loss modulus contradict each other. At {temperature[worst]:.4g} K log10 of the shift of the "
+        f"loss modulus is that of the storage modulus {decades:+.2g} +- {error:.1g}. Use by = 'storage' or by = "
+        "'loss' to shift by one of them alone."
     )
     return (Note(Assumption.RESPONSE, Standing.APPROXIMATE, text, "score of a shift of the loss alone"),)
 
@@ -99,8 +101,8 @@ def shifted_by_note(kind: str, scatter: Array) -> Note:
     """Return by which moduli the sweeps were shifted, and what is left of both."""
     storage, loss = (100.0 * scatter).tolist()
     text = (
-        f"The shifts are those of the {kind} alone, the spectrum is that of storage and loss with these shifts: "
-        f"{storage:.2g} % and {loss:.2g} % of scatter are left."
+        f"The shifts are those of the {kind} modulus alone; the spectrum is that of both moduli with these "
+        f"shifts. The remaining scatter is {storage:.2g} % (storage) and {loss:.2g} % (loss)."
     )
     return Note(Assumption.RESPONSE, Standing.ASYMPTOTIC, text, "shifts of one kind of modulus")
 
@@ -116,8 +118,8 @@ def _overlap(measured: tuple[Measurements, ...], temperature: Array, shifts: Arr
     text = (
         f"Neighbouring temperatures overlap by {-gap:.2g} decades at least, {between}"
         if gap <= 0.0
-        else f"There is a gap of {gap:.2g} decades {between}, which the smoothness of the spectrum bridges: measure a "
-        "temperature in between"
+        else f"There is a gap of {gap:.2g} decades {between}, which only the smoothness of the spectrum bridges: "
+        "measure a temperature in between"
     )
     return Note(
         Assumption.CURVE, standing_of(gap, 0.0, math.inf if gap < DECADES_APART else gap), f"{text}.", "overlap"
@@ -131,13 +133,13 @@ def determined_note(determined: tuple[float, float]) -> Note:
         return Note(
             Assumption.KNOWN_TIMES,
             Standing.OUTSIDE,
-            "No relaxation time has a modulus that is known to a factor of two: the scatter is too great.",
+            "The scatter is too large: at no relaxation time the modulus is known within a factor of two.",
             "standard errors of the spectrum",
         )
     return Note(
         Assumption.KNOWN_TIMES,
         Standing.ASYMPTOTIC,
-        f"The spectrum is determined to a factor of two from {low:.3g} s to {high:.3g} s; beyond, it continues "
-        f"smoothly.",
+        f"The spectrum is determined within a factor of two from {low:.3g} s to {high:.3g} s; beyond this range "
+        "it is a smooth extrapolation.",
         "standard errors of the spectrum",
     )

@@ -28,14 +28,14 @@ __all__ = ["RelaxationSpectrum", "SpectrumSolution"]
 
 @value
 class RelaxationSpectrum:
-    """A measured relaxation, or storage and loss, of which the spectrum of relaxation times is sought.
+    """A measured relaxation modulus, or storage and loss moduli, for computing the spectrum of relaxation times.
 
     Parameters
     ----------
     data : RelaxationData or DynamicData
         The measurement.
     fluid : bool, optional
-        Whether nothing remains of the modulus at last.
+        Whether the modulus tends to zero at long times.
     per_decade : int, optional
         Relaxation times in each decade, 2 to 12.
 

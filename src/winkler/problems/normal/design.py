@@ -48,10 +48,10 @@ part of the greatest force; what it misses of less is stated."""
 
 
 def design_profile(depth: ArrayLike, force: ArrayLike, medium: Medium) -> Designed:
-    """Return the body of revolution whose indentation follows a prescribed force curve.
+    """Return the body of revolution with a prescribed force-depth curve.
 
     A measured curve may be given as well: a convex one is fitted through the points, and how far it misses them (root
-    mean square, relative to the greatest force) is the `tolerance` of the body.
+    mean square, relative to the maximum force) is the `tolerance` of the body.
 
     Parameters
     ----------
@@ -132,13 +132,13 @@ def design_for_pressure(r: ArrayLike, pressure: ArrayLike, medium: Medium) -> De
     InvalidInput
         If the pressure is negative somewhere or the radii do not rise from 0.
     OutsideValidity
-        If the medium cannot be inverted, the pressure on layers ends above zero, or a contact with this pressure
-        could not have grown from a point (the springs would be deepest away from the axis).
+        If the medium cannot be inverted, or the pressure on layers ends above zero. If a contact with this pressure
+        cannot grow from a point (the springs would be deepest away from the axis).
     """
     if body_of.exponent_of(medium) == 1.0:
         raise OutsideValidity(
-            "design_for_pressure: in Gibson's solid every point sinks for itself, f(r) = (3/2)(c0/E0)(p(0) - p(r)); no "
-            "transform is needed."
+            "design_for_pressure: in Gibson's solid the displacement of every point depends on its own pressure "
+            "only, f(r) = (3/2)(c0/E0)(p(0) - p(r)); no transform is needed."
         )
     radii, p = _checked("design_for_pressure", "r", "m", r, "pressure", "Pa", pressure)
     if radii[0] != 0.0 or radii.size < LEAST_POINTS:

@@ -55,10 +55,11 @@ __all__ = ["EDGE_ERROR", "IN_LAYERS", "EllipticIndentation", "EllipticSolution",
 ELLIPSE = Note(
     Assumption.RESPONSE,
     Standing.EXACT,
-    "Homogeneous, linear elastic half-spaces: under normal load Hertz's ellipse is exact for bodies of two curvatures.",
+    "Homogeneous, linear elastic half-spaces: under normal load Hertz's ellipse is exact for bodies with two "
+    "curvatures each.",
     "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 4.2, doi:10.1017/CBO9781139171731",
 )
-OF_THE_DISTANCE = "It is that of the distance between the bodies; give a CurvedPair for the slopes of each body."
+OF_THE_DISTANCE = "This is the slope of the gap between the bodies. Give a CurvedPair for the slopes of each body."
 IN_LAYERS = "this problem computes no stresses in layers; ContactStress and EllipticYieldOnset do"
 AXES = (0.0, 0.5 * math.pi)
 """Directions of the semi-axes [rad]."""
@@ -72,7 +73,7 @@ CONFORMING = "M. Ciavarella, P. Decuzzi, Int. J. Solids Struct. 38 (2001) 4507, 
 
 @value
 class EllipticIndentation(PerLoad[Q]):
-    """Two bodies of two curvatures each, pressed together without friction.
+    """Frictionless contact of two bodies with two curvatures each.
 
     Parameters
     ----------
@@ -121,7 +122,7 @@ DepthGradedHalfSpace or GradedHalfSpace
 
     @property
     def bed(self) -> EllipticFoundation:
-        """The springs that bear forces like these bodies, for problems that need no more; sheared along x.
+        """The springs in contact forces like these bodies, for problems that need no more; sheared along x.
 
         Raises
         ------
@@ -244,9 +245,9 @@ class EllipticSolution(PerLoad[Q]):
     area : float or ndarray
         Of the contact [m^2].
     peak_pressure : float or ndarray
-        p_0 [Pa], the greatest; zero without contact.
+        p_0 [Pa], the maximum; zero without contact.
     grid_error : float or ndarray
-        Relative change of depth, force and greatest pressure from half as many pixels along a side; zero of the closed
+        Relative change of depth, force and maximum pressure from half as many pixels along a side; zero of the closed
         form.
     edge_error : float or ndarray
         Relative error of area, stiffness and semi-axes that the pixels leave; zero of the closed form.
@@ -273,7 +274,7 @@ class EllipticSolution(PerLoad[Q]):
 
     @property
     def equivalent_radius(self) -> float:
-        """R_eq [m], of the ball whose force grows with depth as this one's, where the bodies are homogeneous."""
+        """R_eq [m] of the ball with the same force-depth curve, if the bodies are homogeneous."""
         return self.problem.equivalent_radius
 
     def pressure(self, x: ArrayLike, y: ArrayLike) -> Array:
@@ -315,8 +316,7 @@ class EllipticSolution(PerLoad[Q]):
         friction : float
             mu [-] of a contact that slides everywhere: the body requested is dragged by mu p.
         angle : float
-            Direction in which it is dragged, from x towards y [rad]; the other body is dragged in the opposite
-            direction, by this angle and pi.
+            Direction of the traction on the body, from x towards y [rad]; that on the other body is opposite.
 
         Raises
         ------
@@ -340,15 +340,15 @@ class EllipticSolution(PerLoad[Q]):
     def greatest_stress(
         self, friction: float = 0.0, angle: float = 0.0, *, measure: str = "von_mises", below: bool = True
     ) -> StressSpot:
-        """Return the greatest stress of a kind [Pa] under one load, and its place x, y, z [m] in the axes of the body.
+        """Return the maximum stress of a kind [Pa] under one load, and its place x, y, z [m] in the axes of the body.
 
         Parameters
         ----------
         friction, angle : float
             As of `stresses`.
         measure : {'von_mises', 'max_shear', 'orthogonal_shear', 'longitudinal_shear', 'lateral_shear'}
-            After von Mises; half the difference of the outermost principal stresses; shear in planes along the surface,
-            whatever its direction, along x, and along y.
+            Measure of stress. Half the difference of the extreme principal stresses is the maximum shear; orthogonal
+            shear acts in planes parallel to the surface in any direction, along x, or along y.
         below : bool
             In the first body; otherwise in the second.
 
@@ -412,8 +412,8 @@ def _slopes_note(bodies: CurvedBodies | CurvedPair, axes: tuple[float, float]) -
     return Note(
         Assumption.SMALL_SLOPES,
         Standing.APPROXIMATE,
-        f"The steepest slope of the distance within the contact is {bodies.steepest_slope(*axes):.3g}, which is small. "
-        f"That of a ball in a groove would be up to {ball:.3g}, and such a contact narrower by about a quarter of its "
-        "square; give a CurvedPair for the slopes of each body.",
+        f"The steepest slope of the gap within the contact is {bodies.steepest_slope(*axes):.3g}, which is small. "
+        f"For a ball in a groove the slope of the bodies would be up to {ball:.3g}. Such a contact would be "
+        "narrower by about a quarter of the square of this slope. Give a CurvedPair for the slopes of each body.",
         CONFORMING,
     )

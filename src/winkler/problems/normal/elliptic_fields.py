@@ -64,12 +64,12 @@ class EllipticFields:
 
     @property
     def principal_stresses(self) -> Array:
-        """Principal stresses [Pa], greatest first, along a new last axis of length 3."""
+        """Principal stresses [Pa], largest first, along a new last axis of length 3."""
         return principal_of_tensor(*self._tensor)
 
     @property
     def max_shear(self) -> Array:
-        """Greatest shear stress [Pa], half the difference of the outermost principal stresses."""
+        """Maximum shear stress [Pa], half the difference of the outermost principal stresses."""
         principal = self.principal_stresses
         return np.asarray(0.5 * (principal[..., 0] - principal[..., 2]))
 

@@ -40,16 +40,16 @@ FRICTIONLESS = Coulomb(0.0)
 
 @value
 class EllipticYieldOnset:
-    """Under which force do bodies of two curvatures begin to yield, at rest or while they slide?
+    """The force at which an elliptic contact begins to yield, with or without sliding.
 
     Parameters
     ----------
     bodies : CurvedBodies or CurvedPair
         R_x and R_y, or the radii of each body.
     medium : HalfSpace, CoatedHalfSpace, SlidingFilm or StackedHalfSpace
-        Both bodies, of which at least one part was given a strength.
+        Both bodies; at least one part has a strength.
     friction : Coulomb, optional
-        The contact slides everywhere, and drags each body by mu p; none unless given.
+        Coulomb's law of a contact that slides everywhere, with the traction mu p on each body; no friction by default.
     angle : float, optional
         Direction in which each is dragged, from x towards y in its own axes [rad]; along x unless given.  Along the
         surface those of the second body point against those of the first.
@@ -59,7 +59,7 @@ class EllipticYieldOnset:
     InvalidInput
         If no body has a strength, or the medium is not isotropic.
     OutsideValidity
-        If there is friction on a layer that slides on what lies below it.
+        If there is friction on a layer that slides on the material below.
 
     References
     ----------

@@ -83,7 +83,7 @@ class Indentation(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If the load is tensile, leads beyond the reach of the profile, or opens a contact that is no disc; the
+            If the load is tensile, is beyond the reach of the profile, or gives a contact that is not a disc. The
             message names the indices of an array.
         """
         solver: Callable[[Bed, Array], tuple[Array, Array]]
@@ -145,7 +145,7 @@ class IndentationSolution(PerLoad[Q]):
 
     @property
     def peak_pressure(self) -> Q:
-        """The greatest pressure [Pa]: infinite at a sharp apex, kink or rim; zero without contact.
+        """The maximum pressure [Pa]: infinite at a sharp apex, kink or rim; zero without contact.
 
         Raises
         ------
@@ -269,4 +269,4 @@ def peak_pressure(pressed: PressedSprings) -> float:
             return math.inf
         return highest_of_curve(pressure, a)
     except NotConverged as error:
-        raise OutsideValidity(f"The greatest pressure is not known: {error}") from None
+        raise OutsideValidity(f"The maximum pressure is not known: {error}") from None

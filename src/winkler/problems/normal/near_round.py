@@ -51,8 +51,8 @@ Where it would be more than about 3 the equations have no solution any more.
 BETWEEN_DIRECTIONS = Note(
     Assumption.SHAPE,
     Standing.APPROXIMATE,
-    "Between the directions of the profiles the body is a periodic cubic spline, which follows an elliptic paraboloid "
-    "of 32 directions within a ten-thousandth of its height; give more directions, and compare.",
+    "Between the given directions the body is a periodic cubic spline. With 32 directions the spline follows an "
+    "elliptic paraboloid within 1e-4 of its height. Compare with more directions.",
     "interpolation in the angle",
 )
 MEASURED = "exact ellipses, and boundary elements for pyramids and a square"
@@ -66,7 +66,7 @@ PRESSED_TOGETHER = Condition(
 
 @value
 class NearlyRoundIndentation(PerLoad[Q]):
-    """A body that is nearly one of revolution, pressed into a half-space or into layers.
+    """A nearly axisymmetric body pressed into a half-space or into layers.
 
     Parameters
     ----------
@@ -180,7 +180,7 @@ class NearlyRoundSolution(PerLoad[Q]):
     contour : ndarray, (..., n)
         Radius of the contact [m] in every direction.
     grid_error : float or ndarray
-        Relative change of depth, force and greatest pressure from half as many pixels along a side; zero of springs.
+        Relative change of depth, force and maximum pressure from half as many pixels along a side; zero of springs.
     edge_error : float or ndarray
         Relative error of stiffness and contour that the pixels leave; zero of springs.
     """
@@ -205,13 +205,19 @@ class NearlyRoundSolution(PerLoad[Q]):
             return (*pixel_notes(medium, *errors), BETWEEN_DIRECTIONS, steepness_note(self._slope), *yielding)
         ratio = float(np.max(np.max(self.contour, axis=-1) / np.min(self.contour, axis=-1)))
         if ratio <= OVAL_RATIO:
-            accuracy = "forces within 0.1 and radii within 1 per cent of ellipses; of bodies with edges within 2 and 7"
+            accuracy = (
+                "Compared with ellipses the force differs by at most 0.1 and the radius by at most 1 per cent. "
+                "Compared with bodies with edges they differ by 2 and 7 per cent"
+            )
         else:
-            accuracy = "forces within 4, areas and radii within 15 per cent of ellipses and pyramids like this"
+            accuracy = (
+                "The force differs by at most 4 per cent, area and radius by 15 per cent from those of "
+                "comparable ellipses and pyramids"
+            )
         note = Note(
             Assumption.RESPONSE,
             Standing.APPROXIMATE,
-            f"The widest radius of the contact is {ratio:.3g} times the smallest: {accuracy}.",
+            f"The maximum contact radius is {ratio:.3g} times the minimum. {accuracy}.",
             MEASURED,
         )
         return (*medium.notes, steepness_note(self._slope), note, *yielding)
@@ -273,7 +279,7 @@ class Directions:
                 mean = np.mean(radii, axis=1)
                 return self.twice * new, self.twice * np.mean(radii**2, axis=1) / mean, radii
             level = new
-        raise NotConverged(f"NearlyRoundIndentation: at the depth {depths[0]:.6g} m the force does not settle.")
+        raise NotConverged(f"NearlyRoundIndentation: at the depth {depths[0]:.6g} m the force does not converge.")
 
     def _level(self, radii: Array, depths: Array) -> Array:
         """Return F / (2 E*) [m^2] of contours."""
@@ -329,8 +335,8 @@ class Directions:
         bad = missing(bottom, every) < -FORCE_TOLERANCE * wanted
         if bad.any():
             raise OutsideValidity(
-                f"NearlyRoundIndentation: at the depth {depth[bad][0]:.6g} m there is no contour, the body is too far "
-                "from round; use SurfaceContact."
+                f"NearlyRoundIndentation: at the depth {depth[bad][0]:.6g} m there is no contour, because the "
+                "body is too far from round; use SurfaceContact."
             )
         above = every[missing(top, every) > 0.0]
         for _ in range(DOUBLINGS):

@@ -101,9 +101,9 @@ class _Landscape:
             for interval in self.intervals(horizon):
                 if force < self.force(interval.start):
                     raise OutsideValidity(
-                        f"force {force:.6g} N lies where the contact is no disc: up to {self.gap(interval.start):.6g} "
-                        f"m depth it closes inside, from {self.force(interval.start):.6g} N on as a disc of "
-                        f"{interval.start:.6g} m; give a force outside."
+                        f"At force {force:.6g} N the contact is not a disc. Its inner gap closes at "
+                        f"{self.gap(interval.start):.6g} m depth; from {self.force(interval.start):.6g} N on it "
+                        f"is a disc of {interval.start:.6g} m. Give a force outside."
                     )
                 if force <= self.force(interval.stop):
                     return interval

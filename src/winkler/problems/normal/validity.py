@@ -60,7 +60,7 @@ def contact_notes(bed: Bed, depth: Array, radius: Array) -> tuple[Note, ...]:
             Note(
                 Assumption.SHAPE,
                 Standing.EXACT,
-                "The contact is pinned at the rim; the pressure is infinite there: a real edge yields or is rounded.",
+                "The contact is pinned at the rim, where the pressure is infinite; a real edge yields or is rounded.",
                 "Boussinesq's flat punch",
             )
         )
@@ -78,20 +78,26 @@ def _disc_note(bed: Bed, depth: float, radius: float) -> Note:
         return Note(
             Assumption.SINGLE_CONTACT,
             Standing.APPROXIMATE,
-            f"Whether the contact is one disc was not found out, because the check did not come to an end ({failed}); "
-            "depth, force and radius are those of a disc.",
+            f"It is not known whether the contact is one disc, because the check did not finish ({failed}). "
+            "Depth, force and radius are those of a disc.",
             "a-posteriori check of pressure and separation, at sampled places",
         )
     if not rises(bed, radius):
-        checks = "the equivalent profile falls somewhere, so the restored pressure and the separation were examined"
+        checks = "the equivalent profile decreases somewhere, so pressure and separation were examined"
     elif bed.medium.punch_facts(radius).pulls:
-        checks = "the equivalent profile rises, but flat punches of this width pull, so the pressure was examined"
+        checks = (
+            "the equivalent profile increases, but flat punches of this width have tension, so the pressure was "
+            "examined"
+        )
     else:
-        checks = "the equivalent profile rises wherever it was examined, and no flat punch up to this radius pulls"
+        checks = (
+            "the equivalent profile increases at all examined places, and flat punches up to this radius have no "
+            "tension"
+        )
     return Note(
         Assumption.SINGLE_CONTACT,
         Standing.EXACT,
-        f"That the contact is one disc was checked: {checks}; no tension inside, no overlap outside.",
+        f"It was checked that the contact is one disc: no tension inside, no overlap outside ({checks}).",
         "a-posteriori check of pressure and separation, at sampled places",
     )
 
@@ -113,8 +119,8 @@ def steepness_note(slope: float) -> Note:
     elif slope <= 1.0:
         standing = Standing.APPROXIMATE
         verdict = (
-            "not small: expect deviations of the order of (1 - 2 nu) times the slope, and of its square, which is all "
-            "that is left where nu = 0.5"
+            "not small: expect deviations of the order of (1 - 2 nu) times the slope and of its square; for nu = "
+            "0.5 only the square remains"
         )
     else:
         standing, verdict = Standing.OUTSIDE, "far from small: the linear half-space no longer describes this contact"
@@ -125,9 +131,9 @@ def steepness_note(slope: float) -> Note:
 def large_body_note(ratio: float, *, strip: bool = False) -> Note:
     """Return what the contact radius, or the half-width of a strip, over the radius of the body [-] means."""
     if ratio <= 0.1:
-        standing, verdict = Standing.ASYMPTOTIC, "the body may be taken for a half-space"
+        standing, verdict = Standing.ASYMPTOTIC, "the body can be treated as a half-space"
     elif ratio <= 0.5:
-        standing, verdict = Standing.APPROXIMATE, "the body is hardly a half-space any more"
+        standing, verdict = Standing.APPROXIMATE, "the body deviates notably from a half-space"
     else:
         standing, verdict = Standing.OUTSIDE, "the body is no half-space"
     size = "half-width of the contact" if strip else "contact radius"

@@ -124,13 +124,17 @@ def spots_yield_notes(medium: object, pressure: float) -> tuple[Note, ...]:
     part, limit = min(zip(parts, limits, strict=True), key=lambda pair: pair[1] * pair[0].solid.strength)
     share, onset = pressure / part.solid.strength, limit / OVER_MEAN
     if share / onset >= 1.0:
-        standing, verdict = Standing.OUTSIDE, "spots of this pressure have yielded, and the result is not elastic"
+        standing, verdict = (
+            Standing.OUTSIDE,
+            "contact spots at this pressure have yielded, and the result is not elastic",
+        )
     elif share / onset <= SAFE_PRESSURE:
-        standing, verdict = Standing.ASYMPTOTIC, "far below that spots stay elastic, unless they are sharp"
+        standing, verdict = Standing.ASYMPTOTIC, "far below this limit the spots stay elastic, unless they are sharp"
     else:
         standing, verdict = Standing.APPROXIMATE, "the onset of yield is not known because the spots are not round"
     statement = (
-        f"The mean pressure in the true area of contact is {share_of(share, part)}, single summits bear more; under a "
-        f"round contact of Hertz yielding begins at a mean of {onset:.3g} times the strength: {verdict}."
+        f"The mean pressure in the true area of contact is {share_of(share, part)}; single summits carry more. "
+        f"Under a round Hertzian contact yielding begins at a mean pressure of {onset:.3g} times the strength: "
+        f"{verdict}."
     )
     return (Note(Assumption.ELASTIC, standing, statement, f"{MISES}; {HERTZ}"),)

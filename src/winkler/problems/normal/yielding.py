@@ -29,18 +29,18 @@ FRICTIONLESS = Coulomb(0.0)
 
 @value
 class YieldOnset:
-    r"""At which load does each of the bodies begin to yield, pressed or while it slides, and which is the first?
+    r"""The load at which each body begins to yield, with or without sliding, and which body is the first.
 
-    A contact that slides carries the traction :math:`\mu p` of Coulomb's law; the pressure is taken to be that without
-    friction, as usual: what the traction adds to it is left out (`validity` says of which order that is).
+    A sliding contact carries the traction :math:`\mu p` of Coulomb's law. The pressure is assumed to be that without
+    friction. `validity` states the order of magnitude of this error.
 
     Parameters
     ----------
     bed : Bed
-        Springs over a `HalfSpace`, a `CoatedHalfSpace`, a `SlidingFilm` or a `StackedHalfSpace` of which at least one
-        isotropic body, layer or base was given a strength.
+        Springs over a `HalfSpace`, a `CoatedHalfSpace`, a `SlidingFilm` or a `StackedHalfSpace`; at least one isotropic
+        body, layer or base has a strength.
     friction : Coulomb, optional
-        The contact slides everywhere, and drags each body by mu p; none unless given.
+        Coulomb's law of a contact that slides everywhere, with the traction mu p on each body; no friction by default.
 
     Raises
     ------
@@ -65,10 +65,10 @@ class YieldOnset:
     def __post_init__(self) -> None:
         if not (isinstance(self.bed.medium, HalfSpace) or offers(self.bed.medium, LayerStack)):
             raise InvalidInput(
-                f"YieldOnset: the medium is a {type(self.bed.medium).__name__}; the onset of yield is sought in "
-                "isotropic bodies and layers only. A transversely isotropic body has no single strength, and the "
-                "strength of a graded one is a profile. Give a HalfSpace, or a CoatedHalfSpace whose layers have a "
-                "strength each."
+                f"YieldOnset: the medium is a {type(self.bed.medium).__name__}; the onset of yield is implemented "
+                "for isotropic bodies and layers only. A transversely isotropic body has no single strength, and "
+                "the strength of a graded body varies with depth. Give a HalfSpace, or a CoatedHalfSpace in "
+                "which each layer has a strength."
             )
         if not strong_parts(self.bed.medium):
             raise InvalidInput("YieldOnset: no body has a strength; give Elastic(young, poisson, strength=...).")
@@ -79,9 +79,9 @@ class YieldOnset:
         Raises
         ------
         OutsideValidity
-            If the body yields at the first touch (a sharp apex, edge or rim), never, not within the profile's reach,
-            or where the contact is no disc; under the edge of an incompressible truncated body; on layers, if the
-            contact would be thousands of times as wide as the uppermost layer is thick.
+            If the body yields at first touch (a sharp apex, edge or rim), never, or not within the reach of the
+            profile. If the contact is not a disc, or under the edge of an incompressible truncated body. On layers, if
+            the contact would be thousands of times wider than the uppermost layer is thick.
         NotConverged
             If the contact radius at the onset is not found.
         """
@@ -138,8 +138,8 @@ class YieldOnsetSolution:
     depth, force, radius : float
         [m], [N], [m] when yielding begins.
     r, z : float
-        Distance from the axis and depth [m] where it begins; z > 0 in the first body, z < 0 in the second, on whose
-        surface it is -0.0.
+        Distance from the axis and depth [m] of the onset; z > 0 in the first body, z < 0 in the second, whose surface
+        is -0.0.
     x : float
         The same distance in the direction in which the surface of that body is dragged [m]: negative behind the middle.
         Without friction it is `r`.

@@ -44,16 +44,16 @@ ONE_RATIO = (
 
 @value
 class ContactLaw:
-    """What a discrete element or multibody program needs of a contact: a table over the depth.
+    """A table of a contact over depth, for discrete element or multibody programs.
 
     Parameters
     ----------
     bed : Bed
         The springs: Foundation(profile, medium) or another one.
     deepest : float
-        Greatest depth of the table [m], positive.
+        Maximum depth of the table [m], positive.
     tolerance : float, optional
-        Greatest error of the force that Hermite's cubic between two rows may have, over the greatest force.
+        Maximum error of the force that Hermite's cubic between two rows may have, over the maximum force.
 
     Raises
     ------
@@ -87,8 +87,8 @@ class ContactLaw:
         Raises
         ------
         OutsideValidity
-            If the bed does not reach so deep, or its springs' tangential stiffness is not in proportion to the normal
-            one, so that no single number describes the tangential stiffness.
+            If the foundation does not reach so deep. If the ratio of tangential to normal stiffness varies between
+            springs, so that no single number describes it.
         NotConverged
             If the tolerance would need more than 100 000 rows.
         """
@@ -161,7 +161,7 @@ def _triangles(depth: Array, force: Array, stiffness: Array) -> Array:
 
 @value
 class ContactLawSolution:
-    """A contact law in rows, to be interpolated.
+    """Rows of a contact law over depth, for interpolation.
 
     Parameters
     ----------
@@ -176,9 +176,9 @@ class ContactLawSolution:
     energy : ndarray, (rows,)
         Elastic energy [J].
     hermite_error : float
-        Greatest error of the force between the rows by Hermite's cubic, as measured there, over the greatest force.
+        Maximum error of the force between the rows by Hermite's cubic, as measured there, over the maximum force.
     linear_error : float
-        Bound of the error by straight lines, over the greatest force; of a contact that grows with the depth.
+        Bound of the error by straight lines, over the maximum force; of a contact that grows with the depth.
     """
 
     __words__ = words(

@@ -175,7 +175,7 @@ class Contacts(BallContacts):
     rolling_arm : ndarray, (contacts,)
         e [m]: the moment of rolling friction over the normal force; zero without.
     reach : ndarray, (contacts,)
-        Greatest depth [m] that the springs are made for.
+        Maximum depth [m] that the springs are made for.
     depth : ndarray, (contacts,)
         d [m] at present, not positive without contact.
     displaced : ndarray, (contacts, n, 2)
@@ -239,7 +239,7 @@ class Contacts(BallContacts):
         curvature_radius, coefficient, reach, rolling_arm : float or ndarray, (contacts,)
             One number for all, or one for each.
         count : int, optional
-            How many springs each contact has over the greatest contact radius.
+            How many springs each contact has over the maximum contact radius.
 
         Raises
         ------

@@ -39,23 +39,23 @@ ZUNKER = "W. Zunker, K. Kamrin, J. Mech. Phys. Solids 183 (2024) 105492, doi:10.
 ENGINEERING = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
-    "An engineering law: the yield pressure is fitted to finite elements, the force jumps by d/13R and the elastic "
-    "part of the depth by 15 % where yield begins; the particle does not grow sideways (at d = R/10 that is worth "
-    "1.7 % of the force), and the interaction of several contacts is left out.",
+    "An engineering law with a yield pressure fitted to finite elements. At the onset of yield the force jumps "
+    "by d/13R, and the elastic part of the depth by 15 %. Lateral growth of the particle is neglected (1.7 % of "
+    "the force at d = R/10), and so is the interaction of several contacts.",
     ZUNKER,
 )
 ELASTIC = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
-    "The springs under half an ellipse give Hertz's force less the part 3d/40R: neither the paraboloid nor the exact "
-    "sphere.",
+    "The springs under half an ellipse yield Hertz's force less the fraction 3d/40R: neither the paraboloid nor "
+    "the exact sphere.",
     ZUNKER,
 )
 
 
 @value
 class ElasticPlasticParticle:
-    """A ball that yields and sticks, pressed against a rigid plane.
+    """An adhesive, elastic-plastic ball pressed against a rigid plane.
 
     Parameters
     ----------
@@ -67,10 +67,10 @@ class ElasticPlasticParticle:
     path : Depth or Force
         Depths [m] against the plane, or dead loads [N], one after the other, ``(steps,)``; depths at most R/2.
     work_opening : float, optional
-        What parting takes [J/m^2]; zero (the default) without adhesion.
+        Work of separation [J/m^2]; zero (default) without adhesion.
     work_closing : float, optional
-        What closing gains [J/m^2], at most `work_opening`; zero (the default) as Zunker and Kamrin have it, the same
-        as `work_opening` for Johnson, Kendall and Roberts.
+        Work gained on closing [J/m^2], at most `work_opening`. Zero (default) is the model of Zunker and Kamrin; the
+        value of `work_opening` is that of Johnson, Kendall and Roberts.
 
     Raises
     ------
@@ -147,8 +147,8 @@ class ElasticPlasticParticle:
         Raises
         ------
         OutsideValidity
-            If the particle is pressed in by more than R/2, or a dead load tears it off; the states before that step
-            have been yielded.
+            If the particle is pressed in by more than R/2, or a dead load pulls it off. The error is raised at that
+            step, after all earlier states.
         """
         march = ParticleMarch(
             material_of(self.curvature_radius, self.solid), float(self.work_closing), float(self.work_opening)

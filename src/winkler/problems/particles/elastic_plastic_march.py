@@ -81,8 +81,8 @@ class ParticleMarch(NamedTuple):
         """Return the particle at a depth."""
         if depth > DEPTH_LIMIT * self.material.radius:
             raise OutsideValidity(
-                f"ElasticPlasticParticle: a depth of {depth:g} m is beyond {DEPTH_LIMIT:g} of the radius; there the "
-                "particle is compressed as a whole, which this law of one contact leaves out; stay below it."
+                f"ElasticPlasticParticle: a depth of {depth:g} m is beyond {DEPTH_LIMIT:g} of the radius; there "
+                "the particle is compressed as a whole, which this law of one contact neglects; stay below it."
             )
         particle = self.material.particle(self.closing, self.opening)
         return ParticleHistory(*particle_depth(particle, state, depth))
@@ -108,8 +108,9 @@ class ParticleMarch(NamedTuple):
                 return springs.depth(compression)
             if roof > deepest or force > material.force(deepest):
                 raise OutsideValidity(
-                    f"ElasticPlasticParticle: a force of {force:g} N presses the particle deeper than {DEPTH_LIMIT:g} "
-                    "of its radius, beyond which this law of one contact does not hold; give a smaller one."
+                    f"ElasticPlasticParticle: a force of {force:g} N presses the particle deeper than "
+                    f"{DEPTH_LIMIT:g} of its radius, beyond which this law of one contact is not valid; give a "
+                    "smaller one."
                 )
             if force <= material.force(roof):
                 return roof
@@ -119,8 +120,8 @@ class ParticleMarch(NamedTuple):
             if angle <= least or force < springs.edge_force(least, self.opening):
                 held = springs.edge_force(min(angle, least), self.opening)
                 raise OutsideValidity(
-                    f"ElasticPlasticParticle: a force of {force:g} N tears the particle off, which bears {held:g} N; "
-                    "prescribe depths to follow it beyond, or stay above."
+                    f"ElasticPlasticParticle: a force of {force:g} N pulls the particle off, whose pull-off force "
+                    f"is {held:g} N; prescribe depths to follow it beyond, or stay above."
                 )
             angle = springs.edge_under(force, self.opening)
             return springs.depth(self._compression(springs, angle, self.opening, force))

@@ -38,7 +38,7 @@ EXTRA_STEPS = 5
 
 @value
 class BallImpacts:
-    """Balls strike surfaces, or each other; every array is ``(contacts,)``, or one number for all.
+    """Impacts of balls on surfaces or on each other; every array is ``(contacts,)``, or one number for all.
 
     Parameters
     ----------
@@ -51,14 +51,14 @@ class BallImpacts:
     mass : float or ndarray
         m [kg] of the ball; of two free ones m1 m2 / (m1 + m2).
     mobility : float or ndarray
-        kappa [1/kg]: what an impulse along the surface changes the velocity of the touching points by,
-        1/m + R^2/I; of a solid ball 3.5/m.
+        kappa [1/kg]: change of the tangential velocity of the touching points per tangential impulse, 1/m + R^2/I; for
+        a solid ball 3.5/m.
     velocity : float or ndarray
         Of approach [m/s], positive.
     sliding_velocity : ndarray, (contacts, 2)
         Of the touching points along the surface [m/s].
     steps : int, optional
-        How many steps an impact takes.
+        Number of steps of an impact.
     count : int, optional
         How many springs a contact has.
 
@@ -171,9 +171,9 @@ class BallImpactsSolution:
     dissipation : ndarray, (contacts,)
         Heat of each impact [J].
     greatest_depth : ndarray, (contacts,)
-        Hertz' greatest depth [m].
+        Hertz' maximum depth [m].
     greatest_shear_force : ndarray, (contacts,)
-        Greatest shear force during the impact [N].
+        Maximum shear force during the impact [N].
     duration : ndarray, (contacts,)
         How long the bodies touch [s], a whole number of steps.
     """
@@ -200,7 +200,7 @@ class BallImpactsSolution:
 
     @property
     def restitution(self) -> Array:
-        """Velocity of parting over that of approach [-], ``(contacts,)``."""
+        """Rebound velocity over approach velocity [-], ``(contacts,)``."""
         return np.asarray(-self.velocity / np.asarray(self.problem.velocity))
 
     @property

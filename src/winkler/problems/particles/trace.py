@@ -12,36 +12,36 @@ POPOV = "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015
 SPRINGS = Note(
     Assumption.RESOLUTION,
     Standing.APPROXIMATE,
-    "The shear force is that of a row of springs. With n of them in the contact, sliding all over is right to "
-    "1/4n^2, the stiffness while nothing slips to 1/2n.",
+    "The shear force is that of n springs in the contact. The relative error of the force is 1/4n^2 at full "
+    "sliding, that of the stiffness 1/2n without slip.",
     "sums of midpoints; comparison with the exact solver of one direction",
 )
 PLANE = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "Where the direction of the motion changes, the springs follow the vector rule, which is not exact even for "
-    "tractions along the motion; its error is of first order in the steps.",
+    "If the direction of motion changes, the springs follow the vector rule. This rule is not exact even for "
+    "tractions along the motion. Its error is of first order in the steps.",
     POPOV,
 )
 SIMILAR = Note(
     Assumption.UNCOUPLED,
     Standing.ASYMPTOTIC,
-    "The bodies are taken as elastically similar: contacts have moduli alone, not Dundurs' constant; Tangential with "
-    "the same medium states how far that holds.",
+    "The bodies are assumed elastically similar: contacts have moduli only, not Dundurs' constant. Tangential "
+    "with the same medium states the error of this assumption.",
     POPOV,
 )
 UNCOUPLED = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "Shear, twist and rolling are uncoupled: each may use up the whole friction, and partial slip in twist and in "
-    "rolling is left out; no exact law of them together is known.",
+    "Shear, twist and rolling are uncoupled: each may use up the whole friction. Partial slip in twist and in "
+    "rolling is neglected. No exact law of their combination is known.",
     POPOV,
 )
 
 
 @value
 class ContactTrace:
-    """What many contacts went through, step by step.
+    """Loads, displacements and forces of many contacts, step by step.
 
     Parameters
     ----------

@@ -25,17 +25,17 @@ __all__ = ["DentLimit", "DentLimitSolution"]
 
 @value
 class DentLimit:
-    """Under which load is a dent of a given depth left?
+    """The load that leaves a dent of a given depth.
 
-    A static load is often limited by the dent that may stay, not by the onset of yield: in a rolling bearing the
-    rolling element and the raceway together may keep 1e-4 of the diameter of the rolling element (ISO 76).
+    A static load is often limited by the permitted dent, not by the onset of yield. In a rolling bearing, dents of
+    rolling element and raceway together may be 1e-4 of the diameter of the rolling element (ISO 76).
 
     Parameters
     ----------
     bed : Foundation or EllipticFoundation
         As of `PlasticIndentation`.
     residual_depth : float
-        d0 [m], positive: how far the bodies have come nearer for good, both dents together.
+        d0 [m], positive: the permanent approach of the bodies, both dents together.
 
     Raises
     ------
@@ -75,8 +75,8 @@ class DentLimit:
         Raises
         ------
         OutsideValidity
-            If no load within the reach of the profile leaves such a dent, or the contact then ends where the profile is
-            much blunter than a paraboloid or sharper than a cone.
+            If no load within the reach of the profile leaves such a dent. If the contact ends where the profile is much
+            blunter than a paraboloid or sharper than a cone.
         """
         curve = first_loading(self.bed)
         radius = np.array([self._radius(curve)])
@@ -118,8 +118,7 @@ class DentLimitSolution:
     force, depth, radius, mean_pressure : float
         F_N [N], d [m], a [m] and F_N over the area [Pa] under the load; a as of `PlasticPress`.
     elastic_peak_pressure : float
-        What bodies that do not yield would bear in the middle under this load [Pa]: the contact stress by which
-        standards state it.
+        Elastic (Hertz) pressure in the middle under this load without yielding [Pa]: the contact stress in standards.
     """
 
     __words__ = words(

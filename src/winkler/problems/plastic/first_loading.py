@@ -477,14 +477,14 @@ def refuse_unknown(owner: str, bed: Bed, *, layers: bool = False) -> None:
     homogeneous, name = isinstance(bed.medium, HalfSpace), type(bed.medium).__name__
     if not (homogeneous or offers(bed.medium, LayerStack)):
         raise InvalidInput(
-            f"{owner}: the medium is a {name}; a transversely isotropic body has no single strength, and that of a "
-            "graded one is a profile, which no number states: give a HalfSpace of isotropic bodies."
+            f"{owner}: the medium is a {name}; a transversely isotropic body has no single strength, and the "
+            "strength of a graded body varies with depth. Give a HalfSpace of isotropic bodies."
         )
     if not (homogeneous or layers):
         raise InvalidInput(
-            f"{owner}: the medium is a {name}; a dent in layers depends on strength, modulus and thickness of each of "
-            "them, so that one strength neither fixes it nor follows from it: give a HalfSpace. PlasticIndentation and "
-            "YieldOnset state the load up to which layers keep no dent."
+            f"{owner}: the medium is a {name}; a dent in layers depends on the strength, modulus and thickness of "
+            "every layer. One strength neither determines the dent nor follows from it. Give a HalfSpace. "
+            "PlasticIndentation and YieldOnset compute the load up to which layers keep no dent."
         )
     refuse_strengths(owner, bed.medium, (LEAST_POISSON, GREATEST_POISSON) if homogeneous else (-1.0, 0.5))
     if not bed.profile.rising or bed.rim < np.inf or flat_radius(bed) > 0.0:

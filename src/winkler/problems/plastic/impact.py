@@ -74,8 +74,9 @@ OBLIQUE_STEPS, OBLIQUE_AT_ONCE = 300, 100
 SHEAR_LEFT_OUT = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "Shear leaves yielding alone: the normal motion is that of a straight impact. Under friction metals yield at a "
-    "lower pressure, which is left out. Tractions are taken along the motion, and spin about the normal is left out.",
+    "Tangential forces are assumed not to affect plastic deformation: the normal motion is that of a normal "
+    "impact. Friction lowers the pressure at which metals yield; this is neglected. Tractions are assumed "
+    "parallel to the motion, and spin about the normal is neglected.",
     "K. L. Johnson, Contact Mechanics, Cambridge 1985, section 7.1, doi:10.1017/CBO9781139171731",
 )
 TABOR = "D. Tabor, Proc. R. Soc. Lond. A 192 (1948) 247-274, doi:10.1098/rspa.1948.0008"
@@ -83,14 +84,14 @@ TABOR = "D. Tabor, Proc. R. Soc. Lond. A 192 (1948) 247-274, doi:10.1098/rspa.19
 
 @value
 class PlasticImpact(PerLoad[Q]):
-    """A body of revolution strikes another one, straight or obliquely, of which at least one yields.
+    """Normal or oblique impact of bodies of revolution; at least one body yields.
 
     Parameters
     ----------
     bed : Foundation or EllipticFoundation
-        As of `PlasticIndentation`: a profile without a flat end over a `HalfSpace`, one body of which has a strength,
-        or both; the strength is that at the rate of the impact.  On layers the restitution is one up to the velocity at
-        which one of them yields, and no greater one is taken.
+        As of `PlasticIndentation`: a profile without a flat end over a `HalfSpace`; at least one body has a strength,
+        which applies at the strain rate of the impact.  On layers the restitution is one up to the velocity at which
+        one of them yields; greater velocities are not supported.
     mass : float
         m [kg] of the body; of two free bodies, m1 m2 / (m1 + m2).
     velocity : float or ndarray
@@ -98,7 +99,8 @@ class PlasticImpact(PerLoad[Q]):
     law : Coulomb, optional
         Coulomb(coefficient); without friction unless given.
     lateral_velocity : float or ndarray, optional
-        v_x [m/s] of the centre of mass along the surface at first touch: one for all, or of the shape of the velocity.
+        v_x [m/s] of the centre of mass along the surface at first touch: one number, or an array of the shape of the
+        velocity.
     angular_velocity, inertia, lever : float, optional
         As of `Impact`: omega [rad/s] at first touch, I [kg m^2], and the distance from the centre of mass to the
         surface [m].
@@ -106,8 +108,8 @@ class PlasticImpact(PerLoad[Q]):
     Raises
     ------
     InvalidInput
-        If a number is of the wrong sign or kind, for a bed as in `PlasticIndentation`, for friction and spin as in
-        `Impact`, or if there are as many lateral velocities as neither one nor velocities.
+        If a number has the wrong sign or type, as in `PlasticIndentation` for the foundation and as in `Impact` for
+        friction and spin. If the number of lateral velocities is neither one nor that of the velocities.
 
     References
     ----------
@@ -187,8 +189,8 @@ class PlasticImpact(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If the body is pressed in beyond what is known of its profile, or to where that is much blunter than a
-            paraboloid or sharper than a cone; on layers, if one of them yields.
+            If the contact exceeds the known range of the profile, or reaches a part much blunter than a paraboloid or
+            sharper than a cone. On layers, if one of them yields.
         """
         given = np.ravel(np.asarray(self.velocity, dtype=float))
         velocity, place = np.unique(given, return_inverse=True)
@@ -230,13 +232,13 @@ class PlasticImpactSolution(PerLoad[Q]):
     velocity : float or ndarray
         v [m/s] of approach at first touch.
     restitution : float or ndarray
-        Velocity of parting over that of approach [-].
+        Rebound velocity over approach velocity [-].
     greatest_depth, greatest_force, largest_radius : float or ndarray
         d_max [m], F_max [N] and a [m] at the moment of rest; the last is the radius of the dent.
     residual_depth : float or ndarray
         d0 [m], at which the bodies would just touch after the impact: the depth of the dent.
     energy, dissipation : float or ndarray
-        What the bodies give back, and what they do not [J]; a part of the latter stays in them as residual stress.
+        Recovered and dissipated energy [J]; part of the latter remains in the bodies as residual stress.
     duration : float or ndarray
         How long the bodies touch [s].
     sliding_velocity : float or ndarray
@@ -294,7 +296,7 @@ class PlasticImpactSolution(PerLoad[Q]):
 
     @property
     def friction_loss(self) -> Q:
-        """What friction has taken, beside `dissipation` [J]."""
+        """Energy dissipated by friction, in addition to `dissipation` [J]."""
         before, after = np.asarray(self.problem.sliding_velocity), np.asarray(self.sliding_velocity)
         return shaped(0.5 * (before**2 - after**2) / self.problem.mobility)
 
@@ -306,7 +308,7 @@ class PlasticImpactSolution(PerLoad[Q]):
 
     @property
     def dented(self) -> Foundation:
-        """The bed that an impact leaves, elastic up to its greatest force; of one velocity, not of an array.
+        """The bed that an impact leaves, elastic up to its maximum force; of one velocity, not of an array.
 
         Depths on it are counted from `residual_depth`.
         """
@@ -383,9 +385,9 @@ def _rate_note(rate: float) -> Note:
     return Note(
         Assumption.RESPONSE,
         Standing.APPROXIMATE,
-        f"The strength is one number, while the metal flows at up to {rate:.1g} 1/s, by the strain of 0.2 times the "
-        "slope at the edge of the dent: many metals are stronger at such rates, and bounce higher. Give the strength "
-        "at this rate.",
+        f"The metal is strained at up to {rate:.1g} 1/s (strain: 0.2 times the slope at the edge of the dent), "
+        "but only one strength was given. Many metals are stronger at such rates and rebound faster. Give the "
+        "strength at this rate.",
         TABOR,
     )
 

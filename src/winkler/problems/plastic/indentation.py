@@ -47,34 +47,35 @@ JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, chapter 6, doi:10.1
 LAW = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
-    "Yielding by tables fitted to finite elements of small strains without hardening or friction: in their range force "
-    "and radius err by about 2 %, the residual depth by 0.01 of the depth, of two bodies by 0.015. Reverse yielding at "
-    "release is left out, and a tenth of the dissipation may stay in the bodies as residual stress.",
+    "Plastic deformation follows tables fitted to finite elements (small strains, no hardening, no friction). In "
+    "their range the error of force and radius is about 2 %. The residual depth has an error of 0.01 of the "
+    "depth, for two yielding bodies of 0.015. Reverse yielding on unloading is neglected. Up to a tenth of the "
+    "dissipated energy may remain in the bodies as residual stress.",
     "finite elements of this package; " + JOHNSON,
     0.02,
 )
 HARDENED = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
-    "A body hardens: its strength is the flow stress at a representative strain. Against finite elements of balls that "
-    "were no part of the fit the force errs by up to 2.5 % and the residual depth by 0.015 of the depth, of a cone by "
-    "0.02.",
+    "A body hardens: its strength is the flow stress at a representative strain. Reference: finite elements of "
+    "balls and cones that were not used in the fit. The force differs by at most 2.5 % (balls). The residual "
+    "depth differs by at most 0.015 of the depth for balls and 0.02 for cones.",
     "finite elements of this package; D. Tabor, The Hardness of Metals, Oxford University Press 1951",
     0.025,
 )
 BETWEEN = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
-    "The contact ends where the profile is neither a paraboloid nor a cone: the tables of both are mixed by its local "
-    "exponent, which no finite elements have tested.",
+    "The contact edge lies where the profile is neither a paraboloid nor a cone. The tables of both are "
+    "interpolated with the local exponent of the profile. No finite elements have tested this.",
     "finite elements of this package, of paraboloids and cones only",
 )
 FULLY_PLASTIC = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
-    "The load is beyond the finite elements, which end where the contact radius over that of a ball is 45 times the "
-    "strength over E*, and the slope of a cone 20 times; from there the mean pressure goes on to three times the "
-    "strength. Under cones the force at a depth was off by 6 % at a slope of 35 times, and by 18 % at 136 times.",
+    "The load exceeds the range of the finite elements. The range ends at a/R = 45 Y/E* for balls and at a slope "
+    "of 20 Y/E* for cones. Beyond it the mean pressure is continued to three times the strength. For cones the "
+    "force at a given depth differed by 6 % at a slope of 35 Y/E*, and by 18 % at 136 Y/E*.",
     "S. Dj. Mesarovic, N. A. Fleck, Proc. R. Soc. Lond. A 455 (1999) 2707-2728, doi:10.1098/rspa.1999.0423; finite "
     "elements of L. Lu and others, Proc. Natl. Acad. Sci. 117 (2020) 7052-7062, doi:10.1073/pnas.1922210117",
     0.18,
@@ -93,15 +94,15 @@ LEAST_EXPONENT, GREATEST_EXPONENT = 0.9, 2.3
 
 @value
 class PlasticIndentation:
-    """A round body pressed against another one, of which at least one yields.
+    """A round body pressed against another one; at least one body yields.
 
     Parameters
     ----------
     bed : Foundation or EllipticFoundation
-        A profile without a flat end over a `HalfSpace`, one body of which has a strength, or both; nowhere in the
-        contact much blunter than a paraboloid or sharper than a cone.  Or bodies of two curvatures over one.  Or over a
-        `CoatedHalfSpace`, a `SlidingFilm` or a `StackedHalfSpace` whose layers or bodies have strengths: up to the load
-        at which one of them yields.
+        A profile without a flat end over a `HalfSpace`; at least one body has a strength. Within the contact the
+        profile may not be much blunter than a paraboloid or sharper than a cone.  Or bodies with two curvatures each
+        over one.  Or over a `CoatedHalfSpace`, a `SlidingFilm` or a `StackedHalfSpace` whose layers or bodies have
+        strengths: up to the load at which one of them yields.
     path : Depth or Force
         Depths [m], or loads [N], one after the other, ``(steps,)``.
 
@@ -170,8 +171,8 @@ class PlasticIndentation:
         Raises
         ------
         OutsideValidity
-            If a load is tensile, leads beyond the reach of the profile, or to where the profile is much blunter than
-            a paraboloid or sharper than a cone; on layers, if one of them yields.
+            If a load is tensile, exceeds the reach of the profile, or leads to a part much blunter than a paraboloid or
+            sharper than a cone. On layers, if one of them yields.
         """
         table = _states(self)
         for row in zip(*table, strict=True):
@@ -257,9 +258,9 @@ def _large(wide: float) -> Note:
     return Note(
         Assumption.SMALL_SLOPES,
         Standing.APPROXIMATE if error < 0.3 else Standing.OUTSIDE,
-        f"The contact is {wide:.2g} times as wide as the ball, where the law of small slopes ends: a ball that is "
-        f"flattened bears less at this radius, by up to {100.0 * error:.2g} %; a plane that is dented more. Where "
-        "it is 0.2 times as wide a restitution is 2 to 4 % lower.",
+        f"The contact radius is {wide:.2g} times the radius of the ball, beyond the limit of small slopes. At "
+        f"this contact radius a flattened ball carries up to {100.0 * error:.2g} % less, and a dented plane more. "
+        "At 0.2 times the radius of the ball the restitution is 2 to 4 % lower.",
         "finite elements of this package with large displacements; R. L. Jackson, I. Green, J. Tribol. 127 (2005) "
         "343-354, doi:10.1115/1.1866166",
         error,
@@ -356,7 +357,7 @@ class PlasticSolution(PlasticPress[Array], Looped):
 
     @property
     def dented(self) -> Foundation:
-        """The bed that the path leaves: the contact is elastic on it up to the greatest load so far.
+        """The bed that the path leaves: the contact is elastic on it up to the maximum load so far.
 
         Depths on it are counted from `residual_depth`.
         """
@@ -378,8 +379,8 @@ def _layers_note(loading: FirstLoading) -> Note:
     return Note(
         Assumption.RESPONSE,
         Standing.ASYMPTOTIC,
-        f"Layers are followed up to {loading.at_onset(by_force=True):.4g} N, under which {loading.where}; up to there "
-        "they are elastic and keep no dent, and beyond it every load is refused.",
+        f"The layers are elastic up to {loading.at_onset(by_force=True):.4g} N. At this load {loading.where}. Up "
+        "to there no dent remains; greater loads are not supported.",
         "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582",
     )
 
@@ -390,9 +391,10 @@ def _ellipse_note(outline: EllipticOutline) -> Note:
     return Note(
         Assumption.SHAPE,
         Standing.APPROXIMATE if ratio <= SLENDEREST else Standing.OUTSIDE,
-        f"The tables are those of balls, from the onset of the ellipse of b/a = {outline.slenderness:.4g} on. Against "
-        f"finite elements up to b/a = {SLENDEREST:g} and 27 times the force of first yield, the depth errs by up to "
-        "2 %, the area by 4 %, the residual depth by 0.03 of the depth.",
+        "The tables are those of balls, scaled to the yield onset of the ellipse (b/a = "
+        f"{outline.slenderness:.4g}). Reference: finite elements up to b/a = {SLENDEREST:g} and 27 times the "
+        "force of first yield. The depth differs by at most 2 %, the area by 4 %, the residual depth by 0.03 of "
+        "the depth.",
         "finite elements of this package",
         0.04,
     )

@@ -147,20 +147,20 @@ def _shapes(share: Array) -> tuple[Array, Array]:
 
 @value
 class LinePlasticIndentation:
-    """A cylinder pressed on a half-plane, of which at least one yields, in plane strain.
+    """A cylinder pressed on a half-plane in plane strain; at least one body yields.
 
     Parameters
     ----------
     bed : LineFoundation
-        A `Paraboloid`, the parabolic cylinder, over a `HalfSpace`, one body of which has a strength, or both.
+        A `Paraboloid` (the parabolic cylinder) over a `HalfSpace`; at least one body has a strength.
     path : LineForce
         Forces per length [N/m], one after the other, ``(steps,)``.
 
     Raises
     ------
     InvalidInput
-        If no body has a strength, a strength is above a fiftieth of Young's modulus, the profile or the
-        medium is another one, or the path is no row.
+        If no body has a strength, or a strength is above a fiftieth of Young's modulus. If profile, medium or path has
+        the wrong type.
 
     References
     ----------
@@ -240,9 +240,9 @@ class LinePlasticSolution:
     residual_depth : ndarray, (steps,)
         d0 [m], by which the middle of the unloaded surfaces lies below places far away, of both bodies together.
     largest_half_width : ndarray, (steps,)
-        Under the greatest load so far [m]: half the width of the dent.
+        Under the maximum load so far [m]: half the width of the dent.
     even_share : ndarray, (steps,)
-        Part of the greatest load with an even pressure [-], the rest is Hertz's; zero of elastic bodies.
+        Part of the maximum load with an even pressure [-], the rest is Hertz's; zero of elastic bodies.
     dissipation : ndarray, (steps,)
         What loading has cost and unloading does not return [J/m]; a part of it stays as residual stress.
     """
@@ -324,9 +324,10 @@ class LinePlasticSolution:
 LAW = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
-    "Yielding by tables fitted to finite elements in plane strain, of small strains without friction. In their range "
-    "the half-width under a force errs by up to 1 %, the residual depth by 0.03 of a^2/2R. The force at release errs "
-    "by 0.03 of the greatest. A part of the dissipation stays in the bodies as residual stress.",
+    "Plastic deformation follows tables fitted to plane-strain finite elements (small strains, no friction). In "
+    "their range the half-width at a given force has an error of up to 1 %. The residual depth has an error of "
+    "0.03 of a^2/2R. The force during unloading has an error of 0.03 of the maximum force. Part of the dissipated "
+    "energy remains in the bodies as residual stress.",
     "finite elements of this package, of two kinds; " + JOHNSON,
     0.03,
 )
@@ -343,8 +344,8 @@ HARDENED = Note(
 FULLY_PLASTIC = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
-    "The load is beyond the finite elements, which end at 20 times the pressure of first yield; from there the mean "
-    "pressure goes on to that of Prandtl, 2.97 times the strength, and may err by 5 %.",
+    "The load exceeds the range of the finite elements, which ends at 20 times the pressure of first yield. "
+    "Beyond it the mean pressure is continued to Prandtl's limit, 2.97 times the strength. Its error may be 5 %.",
     "R. Hill, The Mathematical Theory of Plasticity, Oxford University Press 1950",
     0.05,
 )
@@ -355,8 +356,8 @@ def _refuse_unknown(bed: LineFoundation) -> None:
     owner = "LinePlasticIndentation"
     if not isinstance(bed.medium, HalfSpace):
         raise InvalidInput(
-            f"{owner}: the medium is a {type(bed.medium).__name__}; how lines yield is known of isotropic bodies, each "
-            "of one strength: give a HalfSpace."
+            f"{owner}: the medium is a {type(bed.medium).__name__}; yield in line contact is implemented for "
+            "isotropic bodies with one strength each. Give a HalfSpace."
         )
     if not bed.hertzian:
         raise InvalidInput(

@@ -43,15 +43,15 @@ LEAST_DEVIATION = 1e-6
 HARDENS = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
-    "A dent tells one strength: of a metal that hardens it is the flow stress at a strain of about 0.2 a/R (Tabor), "
-    "not where yielding begins.",
+    "A dent determines one strength. For a metal that hardens it is the flow stress at a strain of about 0.2 a/R "
+    "(Tabor), not the initial yield stress.",
     "D. Tabor, The Hardness of Metals, Oxford University Press 1951",
 )
 
 
 @value
 class Blow(PerLoad[Q]):
-    """A body that arrives straight with a velocity.
+    """A body that strikes a surface in the normal direction with a given velocity.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ class Blow(PerLoad[Q]):
 
 @value
 class Restitution(PerLoad[Q]):
-    """A measured velocity of parting over that of approach.
+    """A measured coefficient of restitution: rebound velocity over approach velocity.
 
     Parameters
     ----------
@@ -94,11 +94,11 @@ class Restitution(PerLoad[Q]):
 
 @value
 class StrengthFromDent:
-    r"""Which strength has a metal in which known loads have left dents, or from which bodies rebound?
+    r"""The strength of a metal from dents of known loads, or from rebounds.
 
-    The strength is sought with which `PlasticIndentation` leaves this dent, or `PlasticImpact` has this restitution.
-    Of one load it is exact; of several it is that of least squares, each load weighed by its error.  Errors are carried
-    on to first order, of one dent of the radius r
+    It is the strength at which `PlasticIndentation` leaves this dent, or `PlasticImpact` has this restitution. For one
+    measurement it is exact; for several it is a least-squares fit, weighted by their errors. Errors are propagated to
+    first order, for one dent of radius r
 
     .. math:: u^2(\ln Y) = \left(\frac{\partial\ln Y}{\partial\ln F}\frac{u(F)}{F}\right)^2
               + \left(\frac{\partial\ln Y}{\partial\ln r}\frac{u(r)}{r}\right)^2 .
@@ -106,13 +106,13 @@ class StrengthFromDent:
     Parameters
     ----------
     bed : Foundation
-        As of `PlasticIndentation`.  The first body is the one whose strength is sought: an `Elastic` without one, or a
+        As of `PlasticIndentation`.  The strength of the first body is computed: an `Elastic` without a strength, or a
         solid that hardens.  The second one may be rigid, elastic, or have a strength of its own.
     load : Force or Blow
-        The greatest loads that fresh places of the body have borne [N], or blows that they have taken, one or several.
+        The maximum loads on unloaded places of the body [N], or the impacts on them, one or several.
     dent : Radius, Depth or Restitution
-        What each load has left: the radius of the dent in its plane, or its depth, by which the bodies have come nearer
-        for good, `residual_depth` of a `PlasticIndentation` [m].  Of a blow also its restitution [-].
+        The remaining dent of each load: its radius in its plane, or its depth [m]. The depth is the permanent approach
+        of the bodies, `residual_depth` of a `PlasticIndentation`.  Of a blow also its restitution [-].
     force_error, dent_error : float, optional
         Standard deviations of forces [N] and of radii or depths of dents [m]; zero unless given.  Those of blows and
         restitutions are given with them.
@@ -120,8 +120,8 @@ class StrengthFromDent:
     Raises
     ------
     InvalidInput
-        As of `PlasticIndentation`; if the first body has a strength already; if loads and dents are not as many
-        positive numbers; if a force has a restitution, or an error is given for what there is not.
+        As of `PlasticIndentation`. If the first body already has a strength, or loads and dents are not equally many
+        positive numbers. If a force has a restitution, or an error is given without its quantity.
 
     References
     ----------
@@ -260,8 +260,8 @@ class StrengthFromDent:
         Raises
         ------
         OutsideValidity
-            If the contact would be as large without yielding, so that the dent tells no strength; if no strength makes
-            so large a dent; as of `PlasticIndentation.steps` and `PlasticImpact.solve`.
+            If the contact would be as large without yielding, so that the dent determines no strength. If no strength
+            leaves so large a dent. As of `PlasticIndentation.steps` and `PlasticImpact.solve`.
         NotConverged
             If the least squares of several loads are not found.
         """
@@ -381,16 +381,17 @@ class StrengthFromDentSolution:
         Its standard deviation by those of loads and dents [Pa], to first order; of several loads without errors by
         their scatter.
     law_error : float
-        What the law may add: its own error of 2 % of a radius, or of 0.01 of the depth under load (0.03 of two
-        deformable bodies), carried on to the strength [Pa]; of a restitution 0.01 (0.03; of cones at least 0.02).
+        Contribution of the model error to the error of the strength [Pa]. The model error is 2 % of a radius, or 0.01
+        of the depth under load (0.03 for two deformable bodies). For a restitution it is 0.01 (0.03; for cones at least
+        0.02).
     of_load, of_dent : float
-        d ln Y / d ln F, or by the velocity, and d ln Y / d ln r, or by the restitution [-], with all other measured
-        quantities unchanged; of several loads, all changed alike.
+        Sensitivities d ln Y / d ln F (or by velocity) and d ln Y / d ln r (or by restitution) [-], with all other
+        measured quantities constant. For several loads, all change by the same factor.
     misfit : float
-        What several loads miss, as root mean square over their stated errors [-]: about one if one strength explains
-        all of them; zero of a single load, or where no error is stated.
+        Root mean square deviation of several loads over their stated errors [-]: about one if one strength explains all
+        of them. Zero for a single load, or without stated errors.
     hardness : float
-        Force over the area of the dent in its plane [Pa], Meyer's hardness, here and below of the greatest load.
+        Force over the area of the dent in its plane [Pa], Meyer's hardness, here and below of the maximum load.
     radius, residual_depth : float
         Radius and depth of the dent [m]; of a single dent one of them is that given.
     depth, greatest_force : float
@@ -422,7 +423,7 @@ class StrengthFromDentSolution:
 
     @property
     def released(self) -> PlasticSolution:
-        """The contact of a body with this strength under the greatest load, and let go."""
+        """The contact of a body with this strength under the maximum load, and let go."""
         path = Force(np.array([self.greatest_force, 0.0]))
         return PlasticIndentation(self.problem._bed(self.strength), path).solve()
 

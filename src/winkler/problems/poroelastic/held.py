@@ -33,7 +33,7 @@ HeldProfile = Paraboloid | Sphere | Cone | FlatPunch
 
 @value
 class PoroelasticRelaxation:
-    """An indenter pressed into a poroelastic body at once, and held.
+    """Force relaxation of a poroelastic body at constant depth.
 
     Parameters
     ----------
@@ -115,9 +115,9 @@ class PoroelasticSolution:
     force : ndarray, (steps,)
         F_N [N].
     radius : float
-        a [m], taken as constant.
+        a [m], assumed constant.
     first_force, last_force : float
-        F_N [N] at once, and when the liquid is at rest.
+        F_N [N] immediately after loading, and after the liquid has come to rest.
     """
 
     __words__ = words(
@@ -149,13 +149,12 @@ class PoroelasticSolution:
         contact = held_contact(problem.profile, problem.depth, problem.shear)
         grows = not isinstance(problem.profile, FlatPunch)
         error = "0.03" if grows else "0.01"
-        growth = "the contact radius is taken as constant, though it grows a little, and " if grows else ""
+        growth = "The contact radius is assumed constant, though it grows a little. " if grows else ""
         share = Note(
             Assumption.RESPONSE,
             Standing.APPROXIMATE,
-            f"Biot's theory of an impermeable indenter on a body that drains freely beside it; {growth}the part "
-            f"of the force "
-            f"that relaxes is known to {error} of its whole.",
+            f"Biot's theory of an impermeable indenter on a freely draining body. {growth}The relaxing part of "
+            f"the force has an error of {error} of the whole relaxing part.",
             "dual integral equations; Lai and Hu",
         )
         return (*contact.validity, share)

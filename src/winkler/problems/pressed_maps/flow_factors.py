@@ -23,7 +23,7 @@ __all__ = ["FlowFactors", "flow_factors"]
 
 @value
 class FlowFactors:
-    """What flows between a rough surface and a flat, over what flows between smooth planes.
+    """Flow through a rough gap divided by the flow between smooth planes.
 
     Parameters
     ----------

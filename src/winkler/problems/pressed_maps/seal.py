@@ -37,7 +37,7 @@ __all__ = ["Seal", "SealSolution", "seal_notes"]
 
 @value
 class Seal(PerLoad[Q]):
-    """A height map pressed against a flat, and the fluid that leaks between them.
+    """Leakage of a fluid between a height map and a flat pressed together.
 
     Parameters
     ----------
@@ -51,8 +51,8 @@ class Seal(PerLoad[Q]):
     Raises
     ------
     InvalidInput
-        If a number is not positive, or the map has more than 2048 x 2048 pixels or fewer than eight along a side, or is
-        periodic with an odd number of them.
+        If a number is not positive, or the map has more than 2048 x 2048 pixels or fewer than eight along a side. If
+        the map is periodic with an odd number of pixels.
 
     References
     ----------
@@ -157,11 +157,11 @@ class SealSolution(PerLoad[Q]):
     depth, force, area, mean_gap : float or ndarray
         As in `SurfaceContactSolution` [m], [N], [m^2], [m].
     area_error : float or ndarray
-        Greatest difference among the area and those on the four maps of every second point [m^2].
+        Maximum difference among the area and those on the four maps of every second point [m^2].
     leak_rate : float or ndarray
         Volume per time that flows along x through the whole map [m^3/s]; zero where no path leads through.
     leak_rate_error : float or ndarray
-        Greatest difference among it and those on the four maps of every second point [m^3/s].
+        Maximum difference among it and those on the four maps of every second point [m^3/s].
     lateral_leak_rate : float or ndarray
         The same flow along y [m^3/s].
     medium_leak_rate : float or ndarray
@@ -200,7 +200,7 @@ class SealSolution(PerLoad[Q]):
     def closing_share(self) -> tuple[float, float]:
         """Return between which shares of the map in contact the last path along x closes: the percolation threshold.
 
-        The greatest share under which some fluid leaks, zero if none does, and the least under which none does, one if
+        The maximum share under which some fluid leaks, zero if none does, and the least under which none does, one if
         it always does.
         """
         shares = np.ravel(np.asarray(self.area)) / self.problem.contact.topography.area
@@ -276,21 +276,22 @@ def seal_notes(
         Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "Reynolds' equation of a laminar film of a Newtonian, incompressible fluid that sticks to both bodies and "
-            f"fills the gap; {sides}.",
+            "Reynolds' equation for a laminar film of a Newtonian, incompressible fluid that fills the gap "
+            f"without slip at both bodies; {sides}.",
             PATIR,
         ),
         Note(
             Assumption.EQUILIBRIUM,
             standing_of(squeeze, SMALL_SQUEEZE, LARGE_SQUEEZE),
-            "The bodies are in equilibrium without the fluid, which does not press them apart: its pressure is up to "
-            f"{squeeze:.2g} of the mean pressure of the contact.",
+            "The contact is computed without the fluid, whose pressure does not separate the bodies. The fluid "
+            f"pressure is up to {squeeze:.2g} of the mean contact pressure.",
             "comparison of both pressures",
         ),
         Note(
             Assumption.RESOLUTION,
             standing_of(area, SMALL_CHANGE, LARGE_CHANGE),
-            f"On all and every second point of the map areas in contact differ by up to {100.0 * area:.2g} per cent.",
+            "Computed on all and on every second point of the map, the contact areas differ by up to "
+            f"{100.0 * area:.2g} per cent.",
             DAPP,
             area,
         ),
@@ -301,8 +302,8 @@ def seal_notes(
             Note(
                 Assumption.RESOLUTION,
                 Standing.APPROXIMATE,
-                f"Under {int(np.count_nonzero(~open_loads))} of {leak.size} loads no path of pixels leads "
-                "through; paths narrower than a pixel are not seen.",
+                f"Under {int(np.count_nonzero(~open_loads))} of {leak.size} loads no path of pixels passes "
+                "through the seal; paths narrower than a pixel are not resolved.",
                 DAPP,
             )
         )
@@ -313,8 +314,13 @@ def seal_notes(
             Note(
                 Assumption.RESOLUTION,
                 Standing.OUTSIDE if lost else standing_of(worst, SMALL_CHANGE, LARGE_CHANGE),
-                f"On all and every second point of the map leak rates differ by up to {100.0 * worst:.2g} per cent"
-                + ("; the narrowest place is within what the solver left, give a smaller tolerance." if lost else "."),
+                "Computed on all and on every second point of the map, the leak rates differ by up to "
+                f"{100.0 * worst:.2g} per cent"
+                + (
+                    "; the narrowest gap is below the tolerance of the solver: give a smaller tolerance."
+                    if lost
+                    else "."
+                ),
                 DAPP,
                 worst,
             )

@@ -39,7 +39,7 @@ YOVANOVICH = "M. M. Yovanovich, IEEE Trans. Compon. Packag. Technol. 28 (2005) 1
 
 @value
 class ThermalJoint(PerLoad[Q]):
-    """A height map pressed against a flat, and the heat through its spots and its gap.
+    """Heat flow through the contact spots and the gap of a height map pressed against a flat.
 
     Parameters
     ----------
@@ -50,7 +50,7 @@ class ThermalJoint(PerLoad[Q]):
     gap_conductivity : float, optional
         Of what fills the gap [W/(m K)]: 0.026 of air, 0.6 of water; 0 (the default) of a vacuum.
     jump_distance : float, optional
-        By how much rarefied gas widens the gap [m], both walls together: some 0.4 um of air at 1 bar on metals.
+        Temperature jump distance of rarefied gas [m], sum over both walls: some 0.4 um for air at 1 bar on metals.
 
     Raises
     ------
@@ -172,8 +172,8 @@ class ThermalJointSolution(PerLoad[Q]):
     depth, force, area, mean_gap : float or ndarray
         As in `SurfaceContactSolution` [m], [N], [m^2], [m].
     conductance : float or ndarray
-        Heat rate per drop of temperature [W/K].  Of a periodic map on one period, and without the drop that the bodies
-        have where nothing lies between them: infinite where it touches all over without an interface.
+        Heat rate per drop of temperature [W/K].  For a periodic map: of one period, without the temperature drop of the
+        same bodies in perfect contact. It is infinite for full contact without an interface.
     spot_conductance, gap_conductance : float or ndarray
         What passes through the spots that touch, and through the gap, per drop of temperature [W/K].
     """
@@ -215,11 +215,15 @@ class ThermalJointSolution(PerLoad[Q]):
         blurred = float(np.max(np.asarray(self.contact.area_error) / np.asarray(self.area)))
         through = float(np.max(np.asarray(self.gap_conductance) / np.asarray(self.conductance)))
         filled = (
-            f"What fills the gap conducts across it, {stated.gap_conductivity:.3g} W/(m K) over its width"
-            + (f" and {stated.jump_distance:.3g} m for the walls" if stated.jump_distance > 0.0 else "")
-            + f", and carries up to {through:.0%}; the surface between spots radiates nothing."
+            f"The medium in the gap conducts heat with {stated.gap_conductivity:.3g} W/(m K) over the width of the gap"
+            + (
+                f" plus a temperature jump distance of {stated.jump_distance:.3g} m"
+                if stated.jump_distance > 0.0
+                else ""
+            )
+            + f". It carries up to {through:.0%} of the heat. Radiation across the gap is neglected."
             if stated.gap_conductivity > 0.0
-            else "Nothing passes through the gap, and no radiation across it."
+            else "No heat passes through the gap; radiation is neglected."
         )
         return (
             *self.contact.validity,
@@ -227,14 +231,15 @@ class ThermalJointSolution(PerLoad[Q]):
             Note(
                 Assumption.CONDUCTION,
                 Standing.APPROXIMATE if blurred > 0.05 else Standing.ASYMPTOTIC,
-                f"{filled} Spots count whole pixels: a single round spot is off by about {blurred:.1g} of its width.",
+                f"{filled} The contact area consists of whole pixels: the conductance of a single round spot "
+                f"has a relative error of about {blurred:.1g}.",
                 YOVANOVICH,
             ),
             Note(
                 Assumption.STEADY,
                 Standing.ASYMPTOTIC,
-                "Steady heat between thick bodies, whose properties do not change with the temperature; nothing is "
-                "lost aside.",
+                "Steady heat conduction between thick bodies with constant properties. No heat leaves through "
+                "other surfaces.",
                 "H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, 2nd edition, Oxford 1959",
             ),
         )

@@ -39,7 +39,7 @@ SMALL_CHANGE, LARGE_CHANGE = 0.02, 0.5
 
 @value
 class TrueArea(PerLoad[Q]):
-    """How much of a pressed height map touches, how hard, and in how many patches.
+    """True contact area, pressure and number of patches of a pressed height map.
 
     Parameters
     ----------
@@ -140,11 +140,11 @@ class TrueAreaSolution(PerLoad[Q]):
     area : float or ndarray
         Of the contact [m^2], corrected along its edge.
     area_error : float or ndarray
-        Greatest difference among the area and those on the four maps of every second point [m^2].
+        Maximum difference among the area and those on the four maps of every second point [m^2].
     peak_pressure : float or ndarray
-        Greatest pressure of a pixel [Pa].
+        Maximum pressure of a pixel [Pa].
     peak_pressure_error : float or ndarray
-        Greatest difference among it and those on the four maps of every second point [Pa].
+        Maximum difference among it and those on the four maps of every second point [Pa].
     mean_gap : float or ndarray
         Mean distance of the surfaces over the map [m].
     patch_count : float or ndarray
@@ -195,8 +195,9 @@ class TrueAreaSolution(PerLoad[Q]):
         change = Note(
             Assumption.RESOLUTION,
             standing_of(max(area, peak), SMALL_CHANGE, LARGE_CHANGE),
-            f"On all and every second point of the map areas differ by up to {100.0 * area:.2g} per cent, greatest "
-            f"pressures by {100.0 * peak:.2g} per cent. They may be about as far from those of a finer map.",
+            f"Computed on all and on every second point of the map, areas differ by up to {100.0 * area:.2g} per "
+            f"cent, maximum pressures by {100.0 * peak:.2g} per cent. The difference to a finer map may be about "
+            "as large.",
             YASTREBOV,
             max(area, peak),
         )

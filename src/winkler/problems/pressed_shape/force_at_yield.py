@@ -49,5 +49,5 @@ def force_at_yield(share: Callable[[float], float], force: float, start: float, 
         before = following, found
     raise NotConverged(
         f"{owner}: the force at which yielding begins is not found within {MOST_TRIALS} trials; it lies near "
-        f"{before[0]:.6g} N: solve contacts around it, and compare their greatest stresses."
+        f"{before[0]:.6g} N: solve contacts around it, and compare their maximum stresses."
     )

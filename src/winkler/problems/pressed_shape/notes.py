@@ -12,8 +12,8 @@ SULLIVAN = "T. C. O'Sullivan, R. B. King, J. Tribol. 110 (1988) 235-240, doi:10.
 PIXELS_ON_LAYERS = Note(
     Assumption.RESPONSE,
     Standing.EXACT,
-    "Frictionless contact of linear elastic layers or of a body graded in depth, every pixel pressing on "
-    "all others through their surface compliance.",
+    "Frictionless contact of linear elastic layers or of a body graded in depth. The pressure of every pixel "
+    "displaces all other pixels.",
     SULLIVAN,
 )
 FINE, COARSE = 0.05, 0.2
@@ -40,8 +40,8 @@ def pixel_notes(medium: MappedMedium, grid_error: float, edge_error: float) -> t
     pixels = Note(
         Assumption.RESOLUTION,
         standing_of(edge_error, FINE, COARSE),
-        f"Two grids leave an error of up to {grid_error:.1g} in depth, force and greatest pressure, and of up to "
-        f"{edge_error:.1g} in area, stiffness and where the contact ends.",
+        f"The error estimated from two grids is up to {grid_error:.1g} of depth, force and maximum pressure. It "
+        f"is up to {edge_error:.1g} of area, stiffness and position of the contact edge.",
         "comparison of two grids",
     )
     return (PIXELS_ON_LAYERS, *graded_notes(medium), pixels)

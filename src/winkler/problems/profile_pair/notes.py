@@ -22,7 +22,8 @@ KALKER = "J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Klu
 PIXELS_ON_HALF_SPACES = Note(
     Assumption.RESPONSE,
     Standing.EXACT,
-    "Frictionless contact of homogeneous, linear elastic half-spaces, every pixel pressing on all others.",
+    "Frictionless contact of homogeneous, linear elastic half-spaces. The pressure of every pixel displaces "
+    "all other pixels.",
     POLONSKY,
 )
 FINE, COARSE = 0.01, 0.1
@@ -57,8 +58,8 @@ def pair_notes(
         Note(
             Assumption.RESOLUTION,
             standing_of(grid_error, FINE, COARSE),
-            f"From half as many pixels along a side force and greatest pressure change by up to "
-            f"{100.0 * grid_error:.2g} per cent; the profiles are splines through their points.",
+            "With half as many pixels along a side force and maximum pressure change by up to "
+            f"{100.0 * grid_error:.2g} per cent. The profiles are splines through their points.",
             "comparison of two grids",
             grid_error,
         ),
@@ -95,8 +96,9 @@ def placed_notes(medium: MappedMedium, patches: tuple[ProfilePatch, ...], cut: b
         Note(
             Assumption.HALF_SPACE,
             standing_of(bent, FLAT, BENT),
-            f"Within a patch the surface turns by {bent:.2g} rad; the gap is measured along the normals, the response "
-            f"is that of {'a half-space' if isinstance(medium, HomogeneousMedium) else 'flat layers'} along the arc.",
+            f"Within a patch the direction of the normal changes by {bent:.2g} rad. The gap is measured along the "
+            "normals. The elastic response is that of "
+            f"{'a half-space' if isinstance(medium, HomogeneousMedium) else 'flat layers'} along the arc.",
             KALKER,
         ),
     ]
@@ -107,8 +109,8 @@ def placed_notes(medium: MappedMedium, patches: tuple[ProfilePatch, ...], cut: b
             Note(
                 Assumption.SHAPE,
                 Standing.OUTSIDE,
-                "A contact reaches the end of a profile, or the steep part where its height is not known; what lies "
-                "beyond would bear as well: give a longer profile.",
+                "The contact reaches the end of a profile, or a steep part of unknown height. A continuation of "
+                "the profile would carry load too: give a longer profile.",
                 "comparison of the contact and the profiles",
             )
         )
@@ -129,7 +131,7 @@ def _apart(medium: MappedMedium, patches: tuple[ProfilePatch, ...]) -> Note:
     return Note(
         Assumption.SINGLE_CONTACT,
         standing_of(most * max(wide, TURNED_SHARE), FINE, COARSE),
-        "Places of contact far from each other have grids of their own; one sinks the other like a force at a point of "
-        f"a half-space, by up to {100.0 * most:.2g} per cent of its overlap.",
+        "Distant places of contact have separate grids. Each acts on the others like a point force on a "
+        f"half-space, with a displacement of up to {100.0 * most:.2g} per cent of their overlap.",
         KALKER,
     )

@@ -56,22 +56,21 @@ FASTEST_DRIFT = 0.5
 
 @value
 class ProfilePairRolling:
-    """Two bodies of given profiles that roll over each other steadily, with friction.
+    """Steady rolling of two bodies with given profiles, with friction.
 
     Parameters
     ----------
     pair : ProfilePair
         The bodies, how they stand, their load and the rolled radius; the force is the vertical one of pressures and
-        friction together.  Layers must be bonded, of a grading the modulus at the surface finite.
+        friction together.  Layers must be bonded; a graded body needs a finite modulus at its surface.
     friction : Coulomb or FallingFriction
         A coefficient that is positive and finite, or one that falls with the velocity of slip.
     lateral_drift : float, optional
         How far the upper body moves towards +y per distance rolled [-].
     yaw_rate, roll_rate : float, optional
-        How far it turns meanwhile, as yaw and roll of the pair, per distance rolled [rad/m], about the zero of its
-        profile.
+        Yaw and roll of the pair per distance rolled [rad/m], about the zero of its profile.
     tolerance : float, optional
-        Greatest `misfit` of a patch that counts as solved.
+        Maximum `misfit` of a patch that counts as solved.
     speed : float, optional
         Of rolling [m/s], for friction that falls with the velocity of slip, which is creepage times speed.
 
@@ -132,8 +131,8 @@ class ProfilePairRolling:
         Raises
         ------
         InvalidInput, OutsideValidity
-            As `ProfilePair.solve`; also if a contact reaches the end of a profile, or friction carries the upper body
-            or falls too steeply with the velocity of slip.
+            As `ProfilePair.solve`. Also if a contact reaches the end of a profile, friction carries the upper body, or
+            friction falls too steeply with the slip velocity.
         NotConverged
             If the pressures, stick and slip, or the balance of both are not found.
         """
@@ -199,7 +198,7 @@ def _sums(patches: list[RolledPatch]) -> Array:
 
 @value
 class ProfilePairRollingSolution:
-    """The solution of `ProfilePairRolling`; arrays have a number for each patch, that which bears most first.
+    """The solution of `ProfilePairRolling`; arrays have a number for each patch, that with the highest load first.
 
     Parameters
     ----------
@@ -212,12 +211,13 @@ class ProfilePairRollingSolution:
     x_force, y_force, z_force : float
         What pressures and friction of all patches exert on the upper body, along, across and up [N].
     loss_per_distance : float
-        What friction takes per distance rolled [J/m]; times the speed it is the power.
+        Energy dissipated by friction per distance rolled [J/m]; multiplied by the speed it is the power.
     peak_pressure : float
-        The greatest [Pa].
+        The maximum [Pa].
     grid_error : float
-        Twice the greatest change of a force from a half and five eighths of the pixels along a side, or with less than
-        32 pixels from as many times more, over the friction that there can be: one may change it little by chance.
+        Twice the maximum change of a force with half and five eighths of the pixels along a side (below 32 pixels, with
+        correspondingly more), over the maximum friction. Two numbers of pixels are used because one change may be small
+        by chance.
     misfit : float
         What the solver left of the law of friction, over what friction would lose if all slipped.
     windows : int
@@ -287,12 +287,12 @@ class ProfilePairRollingSolution:
 
     @property
     def longitudinal_force(self) -> Array:
-        """With which the upper body drags the lower one along x [N], ``(patches,)``."""
+        """Force on the lower body along x [N], ``(patches,)``."""
         return self._row("longitudinal_force")
 
     @property
     def lateral_force(self) -> Array:
-        """With which it drags it along the arc, towards +y [N], ``(patches,)``."""
+        """Force on the lower body along the arc, towards +y [N], ``(patches,)``."""
         return self._row("lateral_force")
 
     @property
@@ -324,7 +324,8 @@ KALKER = "J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Klu
 PIXELS_ON_HALF_SPACES = Note(
     Assumption.RESPONSE,
     Standing.EXACT,
-    "Contact of homogeneous, linear elastic half-spaces, every pixel pressing and dragging all others of its grid.",
+    "Contact of homogeneous, linear elastic half-spaces; pressure and traction of every pixel displace all "
+    "other pixels of its grid.",
     KALKER,
 )
 FINE, COARSE = 0.01, 0.1
@@ -361,14 +362,16 @@ def pair_rolling_notes(
         Note(
             Assumption.SLIP,
             standing_left(misfit, Standing.ASYMPTOTIC),
-            f"Exact theory of rolling, {named(friction)} in each pixel, to {misfit:.1g} of what friction would lose "
-            "if all slipped. The rigid slip follows the radii of both bodies across the patch.",
+            f"Exact theory of rolling, {named(friction)} in each pixel. The residual is {misfit:.1g} of the "
+            "energy dissipated at full sliding. The rigid slip follows the rolling radii of both bodies across "
+            "the patch.",
             KALKER,
         ),
         Note(
             Assumption.STEADY,
             Standing.ASYMPTOTIC,
-            "Steady rolling, after some lengths of the contact in which creepages and loads do not change.",
+            "Steady rolling is assumed: creepages and loads have been constant over a distance of several "
+            "contact lengths.",
             KALKER,
         ),
         small_creep_note(greatest),
@@ -376,8 +379,8 @@ def pair_rolling_notes(
         Note(
             Assumption.RESOLUTION,
             standing_of(grid_error, FINE, COARSE),
-            f"Twice the change from other grids: forces are within {100.0 * grid_error:.2g} per cent of the friction; "
-            "the profiles are splines through their points.",
+            f"Forces have an error of up to {100.0 * grid_error:.2g} per cent of the maximum friction force, "
+            "twice the change from other grids. The profiles are splines through their points.",
             "comparison of three grids",
             grid_error,
         ),

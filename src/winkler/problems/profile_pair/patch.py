@@ -41,7 +41,7 @@ class ProfilePatch(BelowSurface):
     second_y : float
         The same on the upper body, across in its own profile [m].
     depth : float
-        Greatest overlap of the undeformed bodies along a normal [m].
+        Maximum overlap of the undeformed bodies along a normal [m].
     peak_pressure : float
         [Pa].
     area : float
@@ -53,7 +53,7 @@ class ProfilePatch(BelowSurface):
     creepage : Creepage
         Longitudinal, lateral and spin at the middle of the pressure: slip of the upper body over the lower one.
     along, across : ndarray, (n,) and (m,)
-        Middles of the pixels along x, and along the arc of the lower profile [m], from the middle of the pressure.
+        Centres of the pixels along x, and along the arc of the lower profile [m], from the centre of pressure.
     pressure : ndarray, (n, m)
         [Pa].
     """

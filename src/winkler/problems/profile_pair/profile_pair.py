@@ -43,7 +43,7 @@ LARGEST_TURN = 0.5
 
 @value
 class ProfilePair:
-    """Two bodies of given profiles, one above the other, pressed together without friction.
+    """Frictionless contact of two bodies with given profiles, one above the other.
 
     Parameters
     ----------
@@ -64,8 +64,7 @@ DepthGradedHalfSpace or GradedHalfSpace
         Of revolution where z = 0 [m]: the axis lies as far below the lower, or above the upper profile.  Infinite (the
         default) of a straight body, as a rail.
     rolled_radius : float, optional
-        How far the pair rolls while the upper body turns by one radian [m], for the creepages; by default (zero) its
-        radius.
+        Rolling distance per radian of the upper body [m], for the creepages; by default (zero) its radius.
     pixels : int, optional
         Along each side of every window of contact.
     tolerance : float, optional
@@ -178,17 +177,17 @@ class ProfilePairSolution:
     force, lateral_force : float
         What presses the upper body up, and across [N].
     peak_pressure : float
-        The greatest [Pa].
+        The maximum [Pa].
     area : float
         Of all patches [m^2].
     grid_error : float
-        The greatest relative change of force and greatest pressure from half as many pixels along a side.
+        The maximum relative change of force and maximum pressure from half as many pixels along a side.
     touch : float
         Where across the bodies first touch [m].
     height : float
         Where z = 0 of the upper profile stands above that of the lower one [m].
     patches : tuple of ProfilePatch
-        Where the bodies touch, the one that bears most first.
+        The patches of contact, that with the highest load first.
     cut : bool
         Whether a contact reaches the end of a profile.
     windows : int
@@ -227,7 +226,7 @@ class ProfilePairSolution:
 
     @property
     def angle(self) -> float:
-        """Contact angle [rad] of the patch that bears most."""
+        """Contact angle [rad] of the patch with the highest load."""
         return self.patches[0].angle
 
     @property

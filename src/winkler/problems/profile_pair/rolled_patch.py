@@ -49,7 +49,7 @@ class RolledPatch(BelowSurface):
     creepage : Creepage
         Longitudinal, lateral and spin at the middle of the pressure, with the drift of the upper body.
     longitudinal_force, lateral_force : float
-        With which the upper body drags the lower one, along x and along the arc towards +y [N].
+        Forces on the lower body, along x and along the arc towards +y [N].
     moment : float
         With which it turns it about the normal at the middle of the pressure [N m].
     x_force, y_force, z_force : float
@@ -59,11 +59,11 @@ class RolledPatch(BelowSurface):
     stick_share : float
         Part of the patch that does not slip [-].
     loss_per_distance : float
-        What friction takes per distance rolled [J/m]; times the speed it is the power.
+        Energy dissipated by friction per distance rolled [J/m]; multiplied by the speed it is the power.
     traction : ndarray, (2, n, m)
-        Along x and along the arc [Pa], with which the upper body drags the lower one.
+        Traction on the lower body along x and along the arc [Pa].
     greatest_rigid_slip : float
-        Greatest slip per distance rolled that rigid bodies would have on the patch [-].
+        Maximum slip per distance rolled that rigid bodies would have on the patch [-].
     creep : ndarray, (2, n, m)
         Slip of the upper body over the lower one per distance rolled [-].
     slipping : ndarray of bool, (n, m)

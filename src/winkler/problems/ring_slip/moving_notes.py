@@ -13,32 +13,33 @@ from winkler.values.validity import Assumption, Note, Standing
 __all__ = ["IN_CYCLES", "IN_IMPACTS", "moving_ring_notes"]
 
 OUTER_RINGS = (
-    "Rings that slide are assumed to lie outside of those that stick. Under a changing normal load some slide inside "
-    "of others. Reference: rings that slide independently of each other, "
+    "Slip annuli are assumed to lie outside the stick zone. Under a changing normal load some annuli slip inside "
+    "it. Reference: annular elements that slip independently of each other, "
 )
 IN_IMPACTS = (
-    "a/h from 0.3 to 10. The greatest errors of a ball's velocity along the surface after an impact, over the "
-    "coefficient times the velocity of approach, are: 3.5 % (base a hundred times softer than the layer), 2.8 % (ten "
-    "times softer), 0.2 % (stiffer). Losses have errors of up to half as many per cent of that times the momentum "
-    "along the surface."
+    "a/h from 0.3 to 10. Errors of the tangential velocity after impact are divided by mu times the approach "
+    "velocity. They are at most 3.5 % (base 100 times softer than the layer), 2.8 % (10 times softer) and 0.2 % "
+    "(stiffer). The dissipated energy has errors of up to half these percentages of mu times the approach "
+    "velocity times the tangential momentum."
 )
 IN_CYCLES = (
-    "a/h from 1 to 10. The greatest errors of the loss of a cycle, over mu F_N A_x, are: 0.055 (base a hundred times "
-    "softer than the layer, where motions in phase appear lossless), 0.012 (ten times softer), 0.002 (ten times "
-    "stiffer)."
+    "a/h from 1 to 10. Errors of the dissipated energy per cycle are divided by mu F_N A_x. They are at most "
+    "0.055 (base 100 times softer than the layer), 0.012 (10 times softer) and 0.002 (10 times stiffer). On the "
+    "softest base in-phase motion appears lossless."
 )
 RINGS_NOTE = Note(
     Assumption.RESOLUTION,
     Standing.ASYMPTOTIC,
-    "The contact is cut into rings and the motion into steps: velocities along the surface are known to 1e-4 of the "
-    "first, losses to 1e-3; both errors fall with the square of rings and steps.",
+    "The contact is divided into annular elements and the motion into steps. The error of tangential velocities "
+    "is 1e-4 of the initial velocity, that of the dissipated energy 1e-3. Both errors are of second order in "
+    "element and step size.",
     "compared with the closed solution on a half-space, rings and steps halved",
 )
 STUCK = Note(
     Assumption.SLIP,
     Standing.EXACT,
-    "Nothing slides: springs bear what the stiffness k_x(a) of a disc without slip grows by with its radius, and what "
-    "leaves the contact loses what it bore.",
+    "Nothing slips. The stiffness of the springs is the derivative of the no-slip stiffness k_x(a) of a disc "
+    "with respect to its radius. A spring that leaves the contact loses its tangential load.",
     "superposition of discs of all radii, each moved along the surface as a whole",
 )
 
@@ -66,6 +67,6 @@ def moving_ring_notes(
         return (STUCK, RINGS_NOTE)
     source = "a march of 60 rings with constant tractions, normal and tangential"
     if not offers(bed.medium, LayerStack):
-        error += " Those were layers; bodies graded in depth were not compared."
+        error += " These values hold for layers; graded bodies were not compared."
     outer = Note(Assumption.SLIP, Standing.APPROXIMATE, OUTER_RINGS + error, source)
     return (push_note(bed, radius), outer, RINGS_NOTE)

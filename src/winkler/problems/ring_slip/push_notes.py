@@ -25,14 +25,14 @@ def push_note(bed: Bed, radius: float) -> Note:
     radius : float
         Of the widest contact [m].
     """
-    softer = f"by {-_stuck_error(bed, radius):.1e}" if radius > 0.0 else "little"
+    softer = f"by a fraction of {-_stuck_error(bed, radius):.1e}" if radius > 0.0 else "slightly"
     return Note(
         Assumption.SLIP,
         Standing.APPROXIMATE,
-        "Tractions point along the motion and depend on the distance from the axis alone; displacements are means "
-        "over each ring (Cattaneo and Mindlin). Without slip the contact is softer than without that assumption, "
-        f"{softer}. Within it normal and shear kernels are those of the layers or the grading, and every ring bears "
-        "its own pressure times the coefficient.",
+        "Tractions are assumed parallel to the motion and axisymmetric; displacements are averaged over each "
+        f"annular element (Cattaneo and Mindlin). This assumption lowers the stiffness without slip {softer}. The "
+        "normal and shear kernels are those of the layers or the graded body. Each annular element carries at "
+        "most its own normal load times the coefficient of friction.",
         "k_x with tractions of both directions, from flat punches on waves along and across the motion",
     )
 
@@ -43,8 +43,9 @@ def tables_note(bound: TwistBound) -> Iterator[Note]:
         yield Note(
             Assumption.RESOLUTION,
             Standing.ASYMPTOTIC,
-            "The kernels of a body graded in depth have a logarithm, of which polynomials leave a part. Shear forces "
-            f"err by {bound.miss:.1e} of them at most, tractions by {TABLES_ERROR:.0e} of those of rings that slide.",
+            "The kernels of a graded body contain a logarithm, which polynomials approximate. The relative error "
+            f"of shear forces is at most {bound.miss:.1e}. Tractions have an error of {TABLES_ERROR:.0e} of the "
+            "tractions at full sliding.",
             "stiffness without slip from the tables against that of flat punches; panels halved",
         )
 

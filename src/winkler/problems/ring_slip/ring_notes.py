@@ -82,21 +82,21 @@ def ring_notes(
         yield Note(
             Assumption.SLIP,
             Standing.APPROXIMATE,
-            f"From index {min([*bad[:1].tolist(), index])} on springs have slid with sticking ones outside of "
-            "them: the normal load changes while the motion turns back. There the law holds for the springs, but not "
-            f"on all of the surface: the traction exceeds coefficient times pressure by up to {excess:.1%}, where "
-            "examined.",
+            f"From index {min([*bad[:1].tolist(), index])} on springs have slipped with sticking springs outside "
+            "them, because the normal load changes during reversal. The law of friction then holds for the "
+            "springs, but not everywhere on the surface. The traction exceeds mu times the pressure by up to "
+            f"{excess:.1%} at the points that were checked.",
             "traction restored at points of the path",
         )
     settled = (
-        f"the {motion} to {ANGLE_TOLERANCE:g} of what friction bears"
+        f"the error of the {motion} is at most {ANGLE_TOLERANCE:g} of the friction limit"
         if by_load
-        else f"the loss to {LOSS_TOLERANCE:g} of the energies"
+        else f"the error of the dissipated energy is at most {LOSS_TOLERANCE:g} of the energies"
     )
     yield Note(
         Assumption.RESOLUTION,
         Standing.EXACT,
-        f"{motion.capitalize()}, {load} and slip are known without a grid; under a changing normal load {settled}.",
+        f"{motion.capitalize()}, {load} and slip are computed without a grid; under a changing normal load {settled}.",
         "moves along the path halved until they agree",
     )
 

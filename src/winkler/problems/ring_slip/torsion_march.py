@@ -97,8 +97,8 @@ def torsion_step(bound: TwistBound, memory: TwistMemory, press: PressedState, tw
             return TorsionStep(whole.memory, twist, max(better, 0.0), stuck + settled, whole.nested)
         best = better
     raise NotConverged(
-        f"{bound.owner}: the energy lost between the normal loads {memory.level:.6g} and {press.level:.6g} does not "
-        "settle; give points in between."
+        f"{bound.owner}: the energy lost between the normal loads {memory.level:.6g} and {press.level:.6g} does "
+        "not converge; give points in between."
     )
 
 
@@ -167,9 +167,9 @@ def step_to(
     elif abs(torque) > most:
         reaches = "exceeds" if bound.slides else "reaches or exceeds"
         raise OutsideValidity(
-            f"the {bound.load} of {torque:.6g} {bound.unit} {reaches} what friction bears, {limit:.6g} "
-            f"{bound.unit} under this normal load: the bodies would {bound.free_motion} against each other; give a "
-            f"smaller {bound.load}, a greater load, or prescribe the {bound.motion.capitalize()}."
+            f"the {bound.load} of {torque:.6g} {bound.unit} {reaches} the friction limit, {limit:.6g} "
+            f"{bound.unit} under this normal load: the bodies would {bound.free_motion} against each other; give "
+            f"a smaller {bound.load}, a greater load, or prescribe the {bound.motion.capitalize()}."
         )
     slack = TORQUE_TOLERANCE * (abs(torque) if bound.endless else limit)
     twist, low, high = guess, -math.inf, math.inf

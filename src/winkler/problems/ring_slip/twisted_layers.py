@@ -33,10 +33,10 @@ def twisted_layer_notes(bed: Bed, radius: float, bound: TwistBound) -> Iterator[
             yield Note(
                 Assumption.RESPONSE,
                 Standing.ASYMPTOTIC,
-                f"Layer {slides[0]} slides without friction, so that the twist stays in the layers down to it, which "
-                "are held far from the contact. Let them be fixed at a radius R that is large against the thickness "
-                "and the contact. Angles without slip are then smaller by less than (a/R)^2 of them. A sheet that is "
-                "not fixed turns with the contact.",
+                f"Layer {slides[0]} slides without friction on its base. The torque twists the layers above this "
+                "interface only; they are assumed fixed far from the contact. Let the layers be fixed at a "
+                "radius R, much greater than thickness and contact radius. Computed angles without slip are then "
+                "too large by a fraction below (a/R)^2. Layers that are not fixed rotate with the contact.",
                 "u_theta = M_z / (4 pi r sum of G h) in a sheet",
             )
     if offers(medium, GradedInDepth) and radius > 0.0:
@@ -45,8 +45,8 @@ def twisted_layer_notes(bed: Bed, radius: float, bound: TwistBound) -> Iterator[
         yield Note(
             Assumption.RESOLUTION,
             Standing.ASYMPTOTIC,
-            "The kernels of a body graded in depth have a logarithm, of which polynomials leave a part. The "
-            f"torsional stiffness of the springs misses that of a flat punch by {miss:.1e}, and the greatest torque "
-            "that of the pressure by about as much.",
+            "The kernels of a graded body contain a logarithm, which polynomials approximate. The torsional "
+            f"stiffness of the springs differs from that of a flat punch by a fraction of {miss:.1e}. The error "
+            "of the maximum torque is about the same fraction.",
             "stiffness of the springs against that of flat punches",
         )

@@ -63,7 +63,7 @@ class RollerContact(PerLoad[Q]):
 DepthGradedHalfSpace or GradedHalfSpace
         Both bodies; the E* of a logarithmic crown is their `modulus`, of layers that of the uppermost ones.
     load : Force or Depth
-        What is prescribed; an array is taken load after load.  A depth is the approach of the bodies in the middle.
+        Prescribed load; an array is solved load by load.  A depth is the approach of the bodies in the middle.
     alignment : Tilt or Moment, optional
         The tilt, none unless given, or the moment under which the roller finds its tilt.
     elements : int, optional
@@ -72,8 +72,8 @@ DepthGradedHalfSpace or GradedHalfSpace
     Raises
     ------
     InvalidInput
-        If the ends do not fit on the roller, a force is not positive, a depth does not make the bodies touch, a moment
-        would need pulling, or elements are out of range.
+        If the ends do not fit on the roller, a force is not positive, or the bodies do not touch at a given depth. If a
+        moment would need tension, or elements are out of range.
 
     References
     ----------
@@ -308,14 +308,15 @@ JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 5.4, doi:10.10
 ELEMENTS_ON_HALF_SPACES = Note(
     Assumption.RESPONSE,
     Standing.EXACT,
-    "Frictionless contact of homogeneous, linear elastic half-spaces, every element pressing on all others.",
+    "Frictionless contact of homogeneous, linear elastic half-spaces. The pressure of every element "
+    "displaces all other elements.",
     HARTNETT,
 )
 EDGES_ON_LAYERS = Note(
     Assumption.RESOLUTION,
     Standing.APPROXIMATE,
-    "On layers and gradings half-widths, and the area with them, are known to one element across: an eighth of the "
-    "elements along lie across each half of the widest contact.",
+    "On layers and graded bodies half-widths and area have an error of one element across. The elements are such "
+    "that each half of the widest contact has an eighth as many across as there are along the roller.",
     "elements that bear",
 )
 FINE, COARSE = 0.02, 0.1
@@ -348,11 +349,11 @@ def roller_notes(
         Relative change from half as many elements.
     """
     changes = (
-        f"From half as many elements force, depth and pressures change by up to {100.0 * grid_error:.2g} per cent; the "
-        "error that is left is smaller where they converge."
+        f"With half as many elements force, depth and pressures change by up to {100.0 * grid_error:.2g} per "
+        "cent; the remaining error is smaller if they converge."
         if math.isfinite(grid_error)
-        else "On half as many elements the very end of the roller bears and on these it does not, so that the greatest "
-        "pressure is not resolved: take more elements."
+        else "With half as many elements the very end of the roller carries load, with these elements it does "
+        "not. The maximum pressure is not resolved: use more elements."
     )
     homogeneous = isinstance(medium, HomogeneousMedium)
     notes = [
@@ -360,8 +361,9 @@ def roller_notes(
         Note(
             Assumption.HALF_SPACE,
             Standing.APPROXIMATE,
-            f"The roller is {'a half-space' if homogeneous else 'flat below its surface'} as well, as if it went on "
-            "beyond its ends. A free end face beside the contact would give way and lessen the pressure near the end.",
+            f"The roller is also treated as {'a half-space' if homogeneous else 'flat below its surface'}, as if "
+            "it continued beyond its ends. A real free end face would deflect and reduce the pressure near the "
+            "end.",
             JOHNSON,
         ),
         Note(
@@ -380,8 +382,8 @@ def roller_notes(
             Note(
                 Assumption.SHAPE,
                 Standing.ASYMPTOTIC,
-                "A sharp end of the roller bears: the elastic pressure grows there without bound, like that at the "
-                "edge of a punch. So there is no greatest pressure and no edge factor; a real edge yields or is "
+                "A sharp end of the roller carries load. The elastic pressure is infinite there, as at the edge "
+                "of a punch, so the maximum pressure and edge factor do not exist. A real edge yields or is "
                 "rounded.",
                 JOHNSON,
             )
@@ -406,13 +408,11 @@ def _yield_notes(medium: MappedMedium, radius: float, peak: float, middle: float
     share = shares[worst]
     where = f"{share_of(share, parts[worst])}, {found[worst].z:.3g} m below the surface"
     if sharp:
-        text = (
-            f"A sharp end yields under the smallest load; in the middle of the roller the von Mises stress is {where}"
-        )
+        text = f"A sharp end yields under any load; in the middle of the roller the von Mises stress is {where}"
     else:
         text = (
-            "Taken as an endless line contact of the same greatest pressure, the most loaded slice has a von Mises "
-            f"stress of {where}, which is an estimate"
+            "The most loaded slice, treated as an infinite line contact of the same maximum pressure, has a von "
+            f"Mises stress of {where}. This is an estimate"
         )
     beyond = "" if share < 1.0 else ": the result is not elastic"
     standing = Standing.APPROXIMATE if share < 1.0 else Standing.OUTSIDE

@@ -39,10 +39,11 @@ HERTZIAN_DEPARTURE = 0.01
 
 @value
 class Kalker:
-    """Springs with the stiffness that gives Kalker's coefficients of a round contact: the default."""
+    """Spring stiffness from Kalker's coefficients of a round contact (default)."""
 
     def stiffness(self, bed: Bed, radius: float) -> tuple[float, float]:
-        """Return c11 G / 2 and c22 G / 2 [Pa], of layers and gradings half the forces of a disc that does not slip.
+        """Return c11 G / 2 and c22 G / 2 [Pa], of layers and graded bodies half the forces of a disc that does not
+        slip.
 
         Parameters
         ----------
@@ -63,31 +64,33 @@ class Kalker:
         return 0.5 * coefficients.longitudinal * pair.shear, 0.5 * coefficients.lateral * pair.shear
 
     def notes(self, bed: Bed, radius: float) -> tuple[Note, ...]:
-        """Return what was measured of calibrated springs."""
+        """Return the validity notes of calibrated springs."""
         if not isinstance(bed.medium, HomogeneousMedium):
             statement = (
-                "The springs' stiffness is that of a disc that rolls without slip, by boundary elements to "
-                f"{100.0 * _disc(bed, radius).error:.1g} per cent, and strips across the rolling bear what their "
-                "pressure lets them: on layers and power laws whose moduli differ up to tenfold the creep force of a "
-                f"ball was within {ON_LAYERS[0]:.2g} of mu F_N of boundary elements under longitudinal or lateral "
-                f"creepage alone, within {ON_LAYERS[1]:.2g} under both."
+                "The spring stiffness is that of a disc rolling without slip, computed by boundary elements "
+                f"within {100.0 * _disc(bed, radius).error:.1g} per cent. Each strip across the rolling direction "
+                "carries at most mu times its normal load. Reference: boundary elements for a ball on layers and "
+                "power laws whose moduli differ up to tenfold. The creep force differs by at most "
+                f"{ON_LAYERS[0]:.2g} mu F_N under one creepage (longitudinal or lateral), by at most "
+                f"{ON_LAYERS[1]:.2g} mu F_N under both."
             )
             if departure(bed.height, radius) > HERTZIAN_DEPARTURE:
-                statement += " This body is no ball, and of it the distance is not known."
+                statement += " This body is not a ball; the error is not known."
             return (Note(Assumption.CALIBRATION, Standing.APPROXIMATE, statement, MEASURED_ON_LAYERS),)
         part = departure(bed.gap, radius)
         one, both = ball_distances(rolling_pair(bed.medium).poisson)
         statement, source = (
-            "The springs' stiffness is calibrated by Kalker's coefficients, which give the initial slope of the "
-            f"creep force. Up to sliding the force stays within {one:.2g} of mu F_N of the exact theory under "
-            f"longitudinal or lateral creepage alone, within {both:.2g} under both.",
+            "The spring stiffness is calibrated with Kalker's coefficients, which give the initial slope of the "
+            "creep force. Reference: Kalker's exact theory, up to full sliding. The creep force differs by at "
+            f"most {one:.2g} mu F_N under one creepage (longitudinal or lateral), by at most {both:.2g} mu F_N "
+            "under both.",
             MEASURED_BY,
         )
         if part > HERTZIAN_DEPARTURE:
             statement, source = (
-                "The springs' stiffness is scaled by Kalker's coefficients of a round Hertzian contact; this profile "
-                f"is not Hertzian (its plane profile leaves the parabola by {part:.2g} of its depth), and the error is "
-                "not known.",
+                "The spring stiffness is scaled with Kalker's coefficients of a round Hertzian contact. This "
+                f"profile is not Hertzian: its plane profile deviates from the parabola by {part:.2g} of its "
+                "depth. The error is not known.",
                 KALKER,
             )
         return (Note(Assumption.CALIBRATION, Standing.APPROXIMATE, statement, source),)
@@ -95,7 +98,7 @@ class Kalker:
 
 @value
 class Uncalibrated:
-    """Springs that are as stiff as at rest, G*: the method as it is, for comparison."""
+    """Springs with the stiffness G* of a contact at rest, for comparison."""
 
     def stiffness(self, bed: Bed, radius: float) -> tuple[float, float]:
         """Return G* twice [Pa].
@@ -116,9 +119,9 @@ class Uncalibrated:
             Note(
                 Assumption.CALIBRATION,
                 Standing.OUTSIDE,
-                "The springs are not calibrated, and the traction of rolling is not the same all around the contact. "
-                "Against Kalker's coefficients of a circle creep forces begin too low: by 41 % to 49 % "
-                "(longitudinal) and 33 % to 41 % (lateral), for Poisson's ratios from 0 to 0.5.",
+                "The springs are not calibrated, and the traction in rolling is not axisymmetric. Reference: "
+                "Kalker's coefficients of a circle, Poisson's ratios from 0 to 0.5. The initial slope of the "
+                "creep force is too low by 41 to 49 % (longitudinal) and 33 to 41 % (lateral).",
                 KALKER,
             ),
         )

@@ -29,12 +29,12 @@ UNITS = {"longitudinal": "", "lateral": "", "spin": " in 1/m"}
 
 @value
 class Creepage(PerLoad[Q]):
-    """The creepages of a rolling pair: slip of the second body over the first, over the speed of rolling.
+    """The creepages of a rolling pair: velocity of the second body relative to the first, over the rolling speed.
 
     Parameters
     ----------
     longitudinal : float or ndarray, optional
-        xi [-], along the direction of rolling; positive drags the first body along +x.
+        xi [-] along the rolling direction; positive values give a traction on the first body along +x.
     lateral : float or ndarray, optional
         eta [-], across it.
     spin : float or ndarray, optional

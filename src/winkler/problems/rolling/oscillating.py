@@ -48,12 +48,12 @@ FORCE_ROUNDING = 1e-9
 
 @value
 class OscillatingRolling:
-    """A contact under a steady normal and shear force that rolls to and fro.
+    """A contact under steady normal and shear force that rolls back and forth.
 
     Parameters
     ----------
     bed : Bed
-        The springs: Foundation(profile, medium); on layers, gradings and power laws with `Kalker`.
+        The foundation: Foundation(profile, medium); on layers, graded bodies and power laws with `Kalker`.
     friction : Coulomb
         Its coefficient positive and finite.
     amplitude : float
@@ -119,7 +119,7 @@ class OscillatingRolling:
 
     @property
     def shakedown_force(self) -> float:
-        """The greatest shear force under which the contact comes to rest [N]; zero if it rolls over its own radius."""
+        """The maximum shear force with shakedown [N]; zero if the amplitude of rolling exceeds the contact radius."""
         line = self._line
         inner = min(self.amplitude, line.radius)
         return 2.0 * float(line.bearing(np.array([inner]), np.array([line.radius]))[0])
@@ -135,7 +135,7 @@ class OscillatingRolling:
         Raises
         ------
         OutsideValidity
-            If the bodies do not touch, or friction does not bear the shear force.
+            If the bodies do not touch, or the shear force exceeds the friction limit.
         """
         line = self._line
         if self.shear_force > line.most * (1.0 - FORCE_ROUNDING):
@@ -217,7 +217,7 @@ class OscillatingRollingSolution:
     contact : IndentationSolution
         The contact under its normal load.
     shakedown_force : float
-        F_lim [N], up to which it comes to rest.
+        F_lim [N], the maximum force with shakedown.
     cycle : ndarray, (steps,)
         How many cycles are over: 0, 1, 2 ...
     shift : ndarray, (steps,)
@@ -240,7 +240,7 @@ class OscillatingRollingSolution:
 
     @property
     def shift_per_cycle(self) -> float:
-        """What the last cycle has added [m]: the steady rate of ratcheting, or what is left to shake down."""
+        """Displacement in the last cycle [m]: the steady ratcheting rate, or the remainder of shakedown."""
         return float(self.shift[-1] - self.shift[-2]) if self.shift.size > 1 else float(self.shift[-1])
 
     @property
@@ -252,8 +252,8 @@ class OscillatingRollingSolution:
 LIMIT = Note(
     Assumption.CALIBRATION,
     Standing.APPROXIMATE,
-    "The limit between shakedown and ratcheting does not depend on the stiffness of the springs. The springs do not "
-    "distinguish rocking along the force from rocking across it, whose limits differ little. Shifts do depend on the "
-    "calibration, which was made for steady rolling.",
+    "The limit between shakedown and ratcheting does not depend on the spring stiffness. The springs do not "
+    "distinguish rocking along the force from rocking across it; the limits of these two cases differ little. "
+    "Displacements depend on the calibration, which was made for steady rolling.",
     WETTER,
 )

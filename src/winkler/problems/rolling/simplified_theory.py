@@ -47,7 +47,7 @@ HALF_BOUND_INTEGRAL = 0.25 * math.pi
 """Half the integral of the bound over the unit disc: sums over it become forces over mu F_N."""
 
 
-HERTZIAN = Advice("on layers and gradings a contact is no ellipse under Hertz' pressure; ProfilePairRolling takes them")
+HERTZIAN = Advice("on layers and graded bodies the contact is not Hertz' ellipse; use ProfilePairRolling for them")
 ONE_FORCE = Condition(
     lambda load: np.ndim(load.force) == 0 and float(load.force) > 0.0, "give Force(F) with one positive number"
 )
@@ -55,17 +55,16 @@ ONE_FORCE = Condition(
 
 @value
 class SimplifiedRolling(PerLoad[Q]):
-    """Bodies that roll over each other on an elliptic contact, with creepage and spin.
+    """Rolling of bodies on an elliptic contact with creepage and spin, by Kalker's simplified theory.
 
     Parameters
     ----------
     footprint : ContactEllipse, CurvedBodies or CurvedPair
-        The contact, or the curvatures it comes from.
+        The contact ellipse, or the curvatures of the bodies.
     medium : HalfSpace or TransverselyIsotropicHalfSpace
         The pair of bodies.
     friction : Coulomb or FallingFriction
-        A coefficient that is positive and finite, or one that falls with the velocity at which the bodies, were they
-        rigid, would slip.
+        A positive, finite coefficient, or one that falls with the slip velocity of rigid bodies.
     creepage : Creepage
         Longitudinal, lateral and spin, also arrays.
     load : Force
@@ -73,8 +72,8 @@ class SimplifiedRolling(PerLoad[Q]):
     count : int, optional
         Strips across the contact, and steps along each.
     speed : float, optional
-        Of rolling [m/s], for friction that falls with the velocity of slip, which is creepage times speed; under
-        Coulomb's law forces do not depend on it.
+        Rolling speed [m/s], for friction that falls with the slip velocity (creepage times speed). Under Coulomb's law
+        forces do not depend on it.
 
     Raises
     ------
@@ -145,7 +144,7 @@ class SimplifiedRolling(PerLoad[Q]):
         return SimplifiedRollingSolution(self, along, across, moment, a, b, coefficients)
 
     def drives(self, a: float, b: float, coefficients: CreepCoefficients) -> Array:
-        """Return how fast sticking tractions grow, in units of the disc and of the greatest bound, ``(m, 4)``."""
+        """Return how fast sticking tractions grow, in units of the disc and of the maximum bound, ``(m, 4)``."""
         xi, eta, spin = self.creepage.broadcast()
         shear = rolling_pair(self.medium).shear
         first = 8.0 * a / (3.0 * coefficients.longitudinal * shear)
@@ -173,7 +172,7 @@ class SimplifiedRollingSolution(CreepageSolution[Q]):
     problem : SimplifiedRolling
         The problem that was solved.
     longitudinal_force, lateral_force : float or ndarray
-        F_x and F_y [N], with which the second body drags the first.
+        F_x and F_y [N] on the first body.
     moment : float or ndarray
         M_z [N m], with which it turns it: an approximation of its own, see `validity`.
     longitudinal_semi_axis, lateral_semi_axis : float
@@ -299,7 +298,8 @@ JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 4.2, doi:10.10
 PRESCRIBED_ELLIPSE = Note(
     Assumption.SHAPE,
     Standing.ASYMPTOTIC,
-    "The ellipse was given: that these bodies touch on it under this load, and are large beside it, is not checked.",
+    "The contact ellipse was given. It was not checked that the bodies touch on this ellipse under this "
+    "load, or are large compared with it.",
     JOHNSON,
 )
 LARGEST_CHANGE = 1.0
@@ -308,13 +308,13 @@ POLACH = "O. Polach, Wear 258 (2005) 992-1000, doi:10.1016/j.wear.2004.03.046"
 FIRST_DIGITS = Note(
     Assumption.CALIBRATION,
     Standing.APPROXIMATE,
-    "The springs have no separate coefficient for the moment under spin. Its initial slope is up to 27 per cent too "
-    "low on ellipses of 1 : 5 to 2 : 1.",
+    "The springs have no separate coefficient for the moment due to spin. For a/b from 1 : 5 to 2 : 1 its "
+    "initial slope is up to 27 per cent too low.",
     "compared with CONTACT's coefficients of ellipses",
 )
 THEORY = (
-    "Simplified theory: one spring for every point, its flexibility chosen by Kalker's coefficients, under a "
-    "parabolic bound. "
+    "Simplified theory: independent springs with flexibilities from Kalker's coefficients, and a parabolic "
+    "traction bound. "
 )
 
 
@@ -333,15 +333,16 @@ def distance_notes(creepage: Creepage, ratio: float, poisson: float) -> tuple[No
     spun = bool(np.any(np.asarray(creepage.spin) != 0.0))
     both = bool(np.any(np.multiply(creepage.longitudinal, creepage.lateral) != 0.0))
     if known is None:
-        statement = f"{THEORY}On an ellipse of a/b = {ratio:.3g} creep forces were not compared with the exact theory."
+        statement = (
+            f"{THEORY}For an ellipse with a/b = {ratio:.3g} the creep forces were not compared with the exact theory."
+        )
         return (Note(Assumption.CALIBRATION, Standing.APPROXIMATE, statement, MEASURED_BY),)
     under = "With spin" if spun else "Under both creepages" if both else "Under longitudinal or lateral creepage alone"
     distance = known.spun if spun else known.both if both else known.one
     turned = known.spun_moment if spun else known.moment
     statement = (
-        f"{THEORY}{under} the force stays within {distance:.2g} of mu F_N of the exact theory. The moment stays "
-        f"within {turned:.2g} of mu F_N sqrt(a b). These are the greatest distances near this ellipse and this "
-        "Poisson's ratio."
+        f"{THEORY}Reference: Kalker's exact theory near this ellipse and this Poisson's ratio. {under} the force "
+        f"differs by at most {distance:.2g} mu F_N, the moment by at most {turned:.2g} mu F_N sqrt(a b)."
     )
     first = Note(Assumption.CALIBRATION, Standing.APPROXIMATE, statement, MEASURED_BY)
     return (first, FIRST_DIGITS) if spun else (first,)
@@ -358,8 +359,8 @@ def moment_note(coefficients: CreepCoefficients, longitudinal: float, lateral: f
     return Note(
         Assumption.CALIBRATION,
         Standing.APPROXIMATE,
-        f"The moment under lateral creepage begins at {100.0 * part:.2g} per cent of that of the exact theory on "
-        "this ellipse.",
+        f"The initial slope of the moment under lateral creepage is {100.0 * part:.2g} per cent of that of the "
+        "exact theory on this ellipse.",
         "Kalker's coefficient c23, by reciprocity",
     )
 
@@ -375,8 +376,8 @@ def falling_note(change: float) -> Note:
     return Note(
         Assumption.SLIP,
         Standing.APPROXIMATE if change <= LARGEST_CHANGE else Standing.OUTSIDE,
-        "Friction falls with the velocity at which rigid bodies would slip; that at which the springs unload, left "
-        f"out, changes it by about {100.0 * change:.2g} per cent at most.",
+        "Friction depends on the slip velocity of rigid bodies. The additional slip velocity of unloading "
+        f"springs is neglected; it changes friction by at most about {100.0 * change:.2g} per cent.",
         POLACH,
         change,
     )
@@ -389,9 +390,9 @@ def size_note(footprint: ContactEllipse | CurvedBodies | CurvedPair, longitudina
     radii = footprint.longitudinal_curvature_radius, footprint.lateral_curvature_radius
     ratio = max(longitudinal / radii[0], lateral / radii[1])
     if ratio <= 0.1:
-        standing, verdict = Standing.ASYMPTOTIC, "the bodies may be taken for half-spaces"
+        standing, verdict = Standing.ASYMPTOTIC, "the bodies can be treated as half-spaces"
     elif ratio <= 0.5:
-        standing, verdict = Standing.APPROXIMATE, "the bodies are hardly half-spaces any more"
+        standing, verdict = Standing.APPROXIMATE, "the bodies deviate notably from half-spaces"
     else:
         standing, verdict = Standing.OUTSIDE, "the bodies are no half-spaces"
     statement = f"The semi-axes are up to {ratio:.3g} of the relative radii of curvature: {verdict}."

@@ -12,7 +12,7 @@ __all__ = ["idle_speed_notes", "refuse_rest"]
 NO_SPEED = Note(
     Assumption.SLIP,
     Standing.EXACT,
-    "Coulomb's friction is the same at all velocities of slip: the speed has no effect on forces and creepages.",
+    "Coulomb's friction does not depend on the slip velocity, so the speed has no effect on forces and creepages.",
     "the law of friction",
 )
 

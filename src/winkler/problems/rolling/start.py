@@ -47,12 +47,12 @@ ONE_FORCE = Condition(lambda load: np.ndim(load.shear_force) == 0, "give ShearFo
 
 @value
 class RollingStart:
-    """A contact at rest that begins to roll with creepage.
+    """A contact that begins to roll from rest with creepage.
 
     Parameters
     ----------
     bed : Bed
-        The springs: Foundation(profile, medium); on layers, gradings and power laws with `Kalker`.
+        The foundation: Foundation(profile, medium); on layers, graded bodies and power laws with `Kalker`.
     friction : Coulomb
         Its coefficient positive and finite.
     creepage : Creepage
@@ -62,7 +62,7 @@ class RollingStart:
     distance : float
         How far it rolls [m], positive.
     start : ShearForce, optional
-        What the contact bears at rest, along the direction of the creep force (negative: against it).
+        Shear force at rest, along the direction of the creep force (negative: against it).
     calibration : Kalker or Uncalibrated, optional
         How stiff the springs are along the surface.
     points : int, optional
@@ -137,7 +137,7 @@ class RollingStart:
         Raises
         ------
         OutsideValidity
-            If the bodies do not touch, or friction does not bear the shear force at rest.
+            If the bodies do not touch, or the shear force at rest exceeds the friction limit.
         """
         line = RollingLine(self.friction.coefficient, touching("RollingStart", self.bed, self.load))
         along, across = self.calibration.stiffness(self.bed, line.radius)
@@ -248,7 +248,7 @@ class RollingStartSolution:
 TRANSIENT = Note(
     Assumption.CALIBRATION,
     Standing.APPROXIMATE,
-    "The transition to the steady state takes one contact width: that is a property of the springs. They were "
+    "The transition to the steady state takes one contact width; this is a property of the springs. They were "
     "calibrated for the steady force, not for the transition.",
     "the springs' rule; not compared with a theory in three dimensions",
 )

@@ -42,12 +42,12 @@ DEFAULT_CALIBRATION = Kalker()
 
 @value
 class Rolling(PerLoad[Q]):
-    """A body that rolls over another one with creepage, under a steady normal load.
+    """Steady rolling of a body with creepage, under a steady normal load.
 
     Parameters
     ----------
     bed : Bed
-        The springs: Foundation(profile, medium); on layers, gradings and power laws with `Kalker`.
+        The foundation: Foundation(profile, medium); on layers, graded bodies and power laws with `Kalker`.
     friction : Coulomb
         Its coefficient positive and finite.
     creepage : Creepage
@@ -137,7 +137,7 @@ class RollingSolution(CreepageSolution[Q]):
     problem : Rolling
         The problem that was solved.
     longitudinal_force, lateral_force : float or ndarray
-        F_x and F_y [N], with which the second body drags the first.
+        F_x and F_y [N] on the first body.
     stick_share : float or ndarray
         Part of the line of springs that sticks [-].
     contact : IndentationSolution
@@ -195,15 +195,15 @@ class RollingSolution(CreepageSolution[Q]):
 TOGETHER = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "Longitudinal and lateral creepage together: the force keeps the direction in which sticking springs are "
-    "stretched; where all slides the exact one turns along the creepage itself.",
+    "Longitudinal and lateral creepage act together. The computed force keeps the direction in which the "
+    "sticking springs are stretched. At full sliding the exact force turns to the direction of the creepage.",
     VERMEULEN,
 )
 STRIPS = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "The line gives forces, not where on the surface they act: the zone of stick of a round contact is no strip "
-    "between parallels; use SurfaceRolling for a map.",
+    "The one-dimensional foundation gives forces, not the distribution of traction over the surface. The true "
+    "stick zone is not a strip with parallel edges. Use SurfaceRolling for a map of the tractions.",
     VERMEULEN,
 )
 
@@ -241,8 +241,8 @@ def check_rolling(owner: str, bed: Bed, creepage: Creepage, calibration: Kalker 
         _ = medium.shear_modulus  # refuses layers that slide, and Gibson's solid
     if np.any(np.asarray(creepage.spin) != 0.0):
         raise OutsideValidity(
-            f"{owner}: spin turns the traction around the contact, and a line of springs has no counterpart of that; "
-            "use SimplifiedRolling, on layers and gradings SurfaceRolling."
+            f"{owner}: spin turns the traction around the contact, and a line of springs has no counterpart of "
+            "that; use SimplifiedRolling, on layers and graded bodies SurfaceRolling."
         )
 
 

@@ -30,8 +30,8 @@ def compliance_of(medium: MappedMedium) -> Compliance:
     """
     if offers(medium, LayerStack) and not all(layer.bonded for layer in medium.stack):
         raise OutsideValidity(
-            f"The layer of a {type(medium).__name__} that slides bears no tractions of a height map: under a push "
-            "it slides away; give layers that are bonded."
+            f"The layer of a {type(medium).__name__} that slides carries no tangential tractions of a height map. "
+            "Under a tangential load it would slide away. Give bonded layers."
         )
     pushed, twisted = 2.0 * medium.modulus / medium.shear_modulus, 0.5 * medium.modulus / medium.torsional_modulus
     power = layers_of(medium) if offers(medium, PowerOfDepth) else None

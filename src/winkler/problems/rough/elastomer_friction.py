@@ -31,7 +31,7 @@ DISPUTE = "I. A. Lyashenko, L. Pastewka, B. N. J. Persson, Phys. Rev. Lett. 111 
 
 @value
 class ElastomerFriction:
-    """A rigid rough surface that slides on an elastomer.
+    """Friction of an elastomer on a rigid rough surface.
 
     Parameters
     ----------
@@ -112,9 +112,9 @@ class ElastomerFrictionSolution:
             Note(
                 Assumption.ROUGHNESS,
                 Standing.APPROXIMATE,
-                "A trend with velocity and temperature only: springs under light loads agree within 30 per cent, under "
-                "great ones they have up to 4 times less at low velocities; friction by independent springs is "
-                "disputed, and heating, adhesion and wear are left out.",
+                "Only the trend with velocity and temperature is reliable. At light loads the springs agree "
+                "within 30 per cent; at heavy loads their friction is up to 4 times lower at low velocities. "
+                "Friction of independent springs is disputed. Heating, adhesion and wear are neglected.",
                 f"{LI}; {DISPUTE}",
             ),
         )

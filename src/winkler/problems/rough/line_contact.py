@@ -40,31 +40,32 @@ POHRT = "R. Pohrt, V. L. Popov, Phys. Rev. Lett. 108 (2012) 104301, doi:10.1103/
 HOMOGENEOUS_LINES = Note(
     Assumption.ROUGHNESS,
     Standing.APPROXIMATE,
-    "Forces, depths and stiffnesses of a rough surface on a line of springs scale as those of the surface. Medians "
-    "of stiffness are 0.8 to 1.3 times those of boundary elements, medians of depth 0.85 to 1.25 times.",
+    "Force, depth and stiffness of a rough surface on a one-dimensional foundation follow the scaling laws of "
+    "the surface. Reference: boundary elements. Median stiffnesses are 0.8 to 1.3 times the reference, median "
+    "depths 0.85 to 1.25 times.",
     f"{POHRT}; own boundary elements, Hurst exponents from 0.3 to 0.8",
 )
 NO_AREA = Note(
     Assumption.ROUGHNESS,
     Standing.OUTSIDE,
-    "The line has no true area of contact and no mean gap: springs do not affect one another. Those given here are "
-    "Persson's: the area is up to a third too small, the gap within 20 per cent up to pressures of 0.2 E* h'. A "
-    "SurfaceContact computes them.",
+    "The springs are independent and give no true contact area and no mean gap. The values stated here are "
+    "Persson's. The area is up to a third too small; the gap is accurate to 20 per cent for pressures up to 0.2 "
+    "E* h'. Use SurfaceContact to compute them.",
     LYASHENKO,
 )
 LAYERED_LINES = Note(
     Assumption.ROUGHNESS,
     Standing.APPROXIMATE,
-    "Springs on layers are as stiff as the flat punch that is as wide as what touches. Medians of stiffness were 0.7 "
-    "to 1.35 times those of boundary elements, medians of depth 0.8 to 1.25 times. The layers were a quarter to 20 "
-    "times as stiff as their base and 0.02 to 0.3 sides thick.",
+    "On layers the spring stiffness is that of a flat punch as wide as the sum of all contact lengths. "
+    "Reference: boundary elements, layers 0.25 to 20 times as stiff as the base and 0.02 to 0.3 side lengths "
+    "thick. Median stiffnesses are 0.7 to 1.35 times the reference, median depths 0.8 to 1.25 times.",
     "own boundary elements, four maps of 64 x 64 pixels each, Hurst exponents of 0.4 and 0.8",
 )
 
 
 @value
 class RoughContact(PerLoad[Q]):
-    """A rough square pressed onto a flat half-space, by lines of springs.
+    """A rough square on a flat half-space, computed with one-dimensional foundations.
 
     Parameters
     ----------
@@ -73,13 +74,13 @@ class RoughContact(PerLoad[Q]):
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
         Both bodies.
     side : float
-        Of the square [m]: waves longer than the line of 1.1523 sides are left out.
+        Side of the square [m]; waves longer than the profile line of 1.1523 sides are omitted.
     load : Force or Depth
         What is prescribed, positive; depths from the first touch of the highest point.
     realisations : int, optional
         How many random lines.
     count : int, optional
-        Springs in each; waves shorter than two of them are left out.
+        Number of springs in each; waves shorter than two springs are omitted.
     seed : int, optional
         Of the phases; equal seeds, equal results.
 

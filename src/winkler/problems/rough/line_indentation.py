@@ -42,7 +42,7 @@ POPOV = "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015
 
 @value
 class RoughIndentation(PerLoad[Q]):
-    """A rough body pressed into a half-space, by lines of springs.
+    """A rough body pressed into a half-space, computed with one-dimensional foundations.
 
     Parameters
     ----------
@@ -51,13 +51,13 @@ class RoughIndentation(PerLoad[Q]):
     bed : Foundation
         The smooth body, on an elastic half-space, layered, graded or neither.
     length : float
-        Of the line [m]; wider than the contact. Waves longer than it are left out.
+        Of the line [m]; wider than the contact. Longer waves are omitted.
     load : Force or Depth
         What is prescribed, positive; depths from the first touch of the highest point.
     realisations : int, optional
         How many random lines.
     count : int, optional
-        Springs in each; waves shorter than two of them are left out.
+        Number of springs in each; waves shorter than two springs are omitted.
     seed : int, optional
         Of the phases; equal seeds, equal results.
 
@@ -149,7 +149,7 @@ class RoughIndentation(PerLoad[Q]):
         InvalidInput
             If no wave of the spectrum fits the line.
         OutsideValidity
-            If the contact reaches the end of the line, or of what is known of the body.
+            If the contact reaches the end of the one-dimensional foundation, or of the known range of the body.
         """
         return RoughIndentationSolution(self, **ensemble(self.lines(), self.load)._asdict())
 
@@ -178,7 +178,7 @@ class RoughIndentationSolution(RoughSolution[Q]):
 
     @property
     def area(self) -> Q:
-        """True area of contact [m^2]: Persson's, ring by ring under the pressures of the smooth body."""
+        """True contact area [m^2]: Persson's, for each annulus with the pressure of the smooth body."""
         bed, steep = self.problem.bed, slope_modulus(self.problem.medium, self.problem.spectrum)
         depths, radii = at_force(bed, np.ravel(self.force))
         nodes, weights = gauss_legendre(NODES)
@@ -199,17 +199,18 @@ class RoughIndentationSolution(RoughSolution[Q]):
             Note(
                 Assumption.ROUGHNESS,
                 Standing.APPROXIMATE,
-                "A rough body on a line of springs is exact where the body bears, and scales as the surface where "
-                "single peaks bear. There medians of stiffness and depth are within 25 per cent of boundary elements.",
+                "A rough body on a one-dimensional foundation is exact where its smooth shape carries the load. "
+                "Where single asperities carry it, only the scaling laws are correct. There median stiffness and "
+                "depth differ by up to 25 per cent from boundary elements.",
                 f"{POPOV}; own boundary elements",
             ),
             *self._line_notes,
             Note(
                 Assumption.ROUGHNESS,
                 Standing.APPROXIMATE,
-                "The springs have no true area of contact. The area given here is Persson's, under the pressures of "
-                "the smooth body. It is up to a third too small, and less where roughness spreads the pressures of "
-                "small loads. A SurfaceContact computes it.",
+                "The springs give no true contact area. The area stated here is Persson's for the pressure of "
+                "the smooth body. It is up to a third too small; the error is smaller if roughness spreads the "
+                "pressure of small loads. Use SurfaceContact to compute the area.",
                 POPOV,
             ),
         )

@@ -101,7 +101,7 @@ class RoughSolution(PerLoad[Q]):
             Note(
                 Assumption.RESOLUTION,
                 Standing.APPROXIMATE,
-                f"Waves of the spectrum {' and '.join(left_out)} are left out of the line.",
+                f"Waves of the spectrum {' and '.join(left_out)} are not represented in the one-dimensional profile.",
                 "the points of a discrete Fourier transform",
             ),
         )

@@ -47,13 +47,13 @@ def plating_notes(
     plated = any(isinstance(body, Plated) for body in bodies)
     notes = []
     if plated:
-        alone = "" if rough.periodic else ", and go on beyond the map"
+        alone = "" if rough.periodic else ", and extend beyond the map"
         notes.append(
             Note(
                 Assumption.CONDUCTION,
                 Standing.EXACT,
-                f"The platings conduct as even layers, bonded without resistance{alone}; the roughness is shallow "
-                "against them.",
+                f"The platings conduct as flat layers, bonded without resistance{alone}. The roughness is assumed "
+                "shallow compared with their thickness.",
                 IMAGES,
             )
         )
@@ -62,8 +62,8 @@ def plating_notes(
             Note(
                 Assumption.CONDUCTION,
                 Standing.EXACT,
-                "The conductors are given apart from the elastic layers: both bodies conduct as uniform ones. Where "
-                "the layers conduct otherwise, give Plated conductors of the same thicknesses.",
+                "The conductors are given separately from the elastic layers: both bodies conduct as homogeneous "
+                "ones. If the layers have other resistivities, give Plated conductors of the same thicknesses.",
                 IMAGES,
             )
         )

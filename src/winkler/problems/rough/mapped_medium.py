@@ -35,16 +35,16 @@ def medium_notes(
         border = Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "The map is repeated for ever in both directions; depths are approaches of the mean planes, and how far "
-            "the mean pressure compresses the layers on their rigid base.",
+            "The map repeats without end in both directions. Depths are the approach of the mean planes, "
+            "including the compression of the layers by the mean pressure on their rigid base.",
             SULLIVAN,
         )
     lost = 0.0 if rough.periodic else layers.lost(rough.pixel)
     coarse = Note(
         Assumption.RESOLUTION,
         Standing.APPROXIMATE,
-        "The pixels are wide for a nearly incompressible film: under a wave of sixteen of them displacements are "
-        f"wrong by {lost:.1%}; take a finer map.",
+        "The pixels are too wide for a nearly incompressible film: at a wavelength of sixteen pixels "
+        f"displacements have an error of {lost:.1%}. Use a finer map.",
         "pixels of constant pressure against the compliance of the layers",
     )
     return (PIXELS_ON_LAYERS, border, *graded_notes(medium), *((coarse,) if lost > FOLLOWED_SHARE else ()), *notes[2:])

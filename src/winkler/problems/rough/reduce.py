@@ -65,7 +65,7 @@ ContactRow = tuple[float, float, float, float]
 
 @value
 class Reduction:
-    """The problem of finding springs that bear forces like a height map.
+    """Computation of a spring foundation with the force-depth curve of a height map.
 
     Parameters
     ----------
@@ -76,7 +76,7 @@ class Reduction:
     depth : float
         Up to which depth d [m] the springs are to be known.
     tolerance : float, optional
-        Greatest error of F, over the greatest F.  Contacts are computed until no convex curve through them, with their
+        Maximum error of F, over the maximum F.  Contacts are computed until no convex curve through them, with their
         stiffnesses for slopes, can be farther from another one.
 
     Raises
@@ -150,8 +150,8 @@ class Reduction:
 
     def _lost(self, done: list[ContactRow]) -> NotConverged:
         return NotConverged(
-            f"reduce: {len(done)} contacts do not determine F(d) to {self.tolerance:.3g} of the greatest force; give a "
-            "larger tolerance, or give the map more pixels."
+            f"reduce: {len(done)} contacts do not determine F(d) to {self.tolerance:.3g} of the maximum force; "
+            "give a larger tolerance, or give the map more pixels."
         )
 
     def _springs(self, points: ContactPoints) -> tuple[MeasuredBed, float]:
@@ -209,8 +209,8 @@ class ReductionSolution:
         The springs; `bed.scatter` is the root mean square by which they miss the computed forces [N].  They are sheared
         along x, those of `bed.turned` along y.
     misfit : float
-        Bound on the difference between the forces of springs and map at any depth, over the greatest force: both bend
-        upwards, which leaves little uncertainty between computed contacts.
+        Bound on the difference between the forces of springs and map at any depth, over the maximum force. Both force
+        curves are convex, which leaves little uncertainty between computed contacts.
     depth, force, stiffness : ndarray, (n,)
         The contacts behind them [m], [N], [N/m].
     """
@@ -224,16 +224,16 @@ class ReductionSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """How well the springs bear the computed forces, and what they do not determine."""
+        """Accuracy of the forces of the springs, and quantities that the springs do not represent."""
         bodies = () if self.bed.homogeneous else cast(Medium, self.problem.medium).notes
         return (
             Note(
                 Assumption.RESOLUTION,
                 standing_left(self.misfit, Standing.ASYMPTOTIC),
-                f"Springs under a height map, from {self.depth.size} contacts by boundary elements. Between them "
-                f"forces err by at most {self.misfit:.1g} of the greatest one, by bounds on a convex force curve. "
-                "Stiffness, and with it conductance, is less certain: it was within 4 per cent on rough maps at a "
-                "tolerance of 1e-3, worse at light loads.",
+                f"The springs represent a height map; they were fitted to {self.depth.size} contact solutions by "
+                f"boundary elements. Between these solutions the force error is at most {self.misfit:.1g} of the "
+                "maximum force (bounds of a convex curve). Stiffness and conductance are less accurate: within 4 "
+                "per cent on rough maps at a tolerance of 1e-3. At light loads their error is larger.",
                 BARBER,
             ),
             *self.bed.notes[1:],
@@ -269,7 +269,7 @@ class ReductionSolution:
 
 
 def reduce(topography: Topography, medium: MappedMedium, depth: float, *, tolerance: float = 1e-3) -> DirectionalBed:
-    """Return springs that bear forces like a height map.
+    """Return a spring foundation with the force-depth curve of a height map.
 
     Parameters
     ----------

@@ -32,9 +32,10 @@ def _none() -> Array:
 
 @value
 class ReducedBed(DirectionalBed):
-    """Springs that bear forces like a height map, for every problem that needs no more than forces and depths.
+    """A spring foundation with the force-depth curve of a height map.
 
-    Making one solves some ten contacts by boundary elements; its forces and depths afterwards take milliseconds.
+    It is computed from some ten contact solutions by boundary elements. After that each force or depth is computed in
+    milliseconds.
 
     Parameters
     ----------
@@ -43,9 +44,9 @@ class ReducedBed(DirectionalBed):
     pressed_into : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
         Both bodies.
     depth : float
-        Up to which depth d [m] the springs are known.
+        Maximum depth d [m] of the springs.
     tolerance : float, optional
-        Greatest error of F between the computed contacts, over the greatest F.
+        Maximum error of F between the computed contacts, over the maximum F.
 
     Raises
     ------

@@ -34,7 +34,7 @@ def _none() -> Array:
 
 @value
 class RoughLine:
-    """One line of independent springs under given heights, all loads at once.
+    """A one-dimensional foundation of independent springs under given heights, all loads at once.
 
     Parameters
     ----------
@@ -45,8 +45,8 @@ class RoughLine:
     modulus : float
         E* [Pa], stiffness of the springs per length.
     stiffnesses : ndarray, (n,), optional
-        Stiffness [N/m] of the first 1, 2, ..., n springs that touch, rising: of layers, on which wider contacts meet
-        other moduli.  In proportion to E* unless given.
+        Stiffness [N/m] of the first 1, 2, ..., n springs in contact, increasing; for layers, where the effective
+        modulus depends on the contact width.  In proportion to E* unless given.
 
     Examples
     --------

@@ -53,7 +53,7 @@ BARBER = "J. R. Barber, Proc. R. Soc. A 459 (2003) 53-66, doi:10.1098/rspa.2002.
 
 @value
 class SurfaceConduction(PerLoad[Q]):
-    """A height map on a flat half-space, and the current through both.
+    """A height map on a flat half-space, and the current through both bodies.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ class SurfaceConduction(PerLoad[Q]):
     conductors : ElectricalConductors
         What the bodies conduct, and the film between them; thick ones, plated or not.
     realisations : int, optional
-        How many random lines with the spectrum of the map are pressed beside it.
+        Number of random profiles with the spectrum of the map that are pressed for comparison.
     seed : int, optional
         Of the first of them.
 
@@ -206,13 +206,13 @@ class SurfaceConductionSolution(PerLoad[Q]):
     least_stiffness, greatest_stiffness : float or ndarray
         Bounds of dF/dd [N/m]; the first is zero between elastic layers, the second infinite of a periodic map.
     film_excess : float or ndarray
-        What the film adds to the resistance [ohm]: its area resistance over the area of the pixels in contact, and what
-        it spreads the current.
+        Additional resistance of the film [ohm]: its area resistance over the area of the pixels in contact, and the
+        effect of spreading the current.
     resistance : float or ndarray
         R [ohm] by boundary elements.
     least_resistance, greatest_resistance : float or ndarray
-        Bounds of R [ohm].  The lower one of a periodic map is what the film adds.  Through platings and between elastic
-        layers it is the resistance in full contact, and the upper one infinite.
+        Bounds of R [ohm].  The lower bound of a periodic map is the resistance of the film.  Through platings and
+        between elastic layers it is the resistance in full contact, and the upper one infinite.
     """
 
     __words__ = words(
@@ -242,7 +242,9 @@ class SurfaceConductionSolution(PerLoad[Q]):
 
     @property
     def line_resistance(self) -> Q:
-        """R [ohm] by the lines; nan through platings and between elastic layers, of which lines tell no resistance."""
+        """R [ohm] of the one-dimensional foundations; nan with platings or elastic layers, for which they yield no
+        resistance.
+        """
         return shaped(self.problem.of_stiffness(self.line_stiffness, self.film_excess))
 
     @property
@@ -254,21 +256,22 @@ class SurfaceConductionSolution(PerLoad[Q]):
             note for note in approximate if note.statement != NO_AREA.statement
         ]  # no area of the line is given here
         spots = (
-            "All pixels in contact bear the same film"
+            "All pixels in contact have the same film"
             if stated.conductors.film.area_resistance
-            else "All spots are clean metal"
+            else "All pixels in contact are clean metal"
         )
         between = (
-            "Rigorous bounds for elastic contact without friction or adhesion: the map lies between a flat and the "
-            "same flat raised by its height; of a curved map they are wide."
+            "Rigorous bounds for elastic contact without friction or adhesion. The map lies between a flat and "
+            "the same flat raised by the height of the map. For a curved map the bounds are wide."
             if stated.in_proportion
-            else "Through platings and between elastic layers conductance is not in proportion to stiffness. The "
-            "current is solved pixel by pixel; springs give no resistance. Full contact is the only bound. A round "
-            "spot of n pixels across resists by about 0.5 / n more than the disc of its area."
+            else "With platings or elastic layers conductance is not proportional to stiffness. The current is "
+            "therefore computed on the pixels in contact; the springs give no resistance. The only bound "
+            "is that of full contact. For a round spot n pixels wide the resistance is too high by a "
+            "fraction of about 0.5 / n of that of the equal disc."
         )
         bounds = Note(
             Assumption.CONDUCTION, Standing.EXACT if stated.in_proportion else Standing.APPROXIMATE,
-            f"{between} {spots}, wider than the free path of electrons.",
+            f"{between} {spots}. All spots are assumed wider than the mean free path of electrons.",
             BARBER,
         )  # fmt: skip
         rough = stated.contact.topography
@@ -276,9 +279,9 @@ class SurfaceConductionSolution(PerLoad[Q]):
         curved = Note(
             Assumption.ROUGHNESS,
             Standing.OUTSIDE,
-            f"A plane or paraboloid makes up {shape:.0%} of the mean square height. Lines of springs hold the "
-            "roughness on it alone, their stiffness and resistance are not those of this map. Take a tilt off with "
-            "topography.detrended(1); a rough ball is a RoughIndentation.",
+            f"A plane or paraboloid makes up {shape:.0%} of the mean square height. The one-dimensional "
+            "foundation represents only the remaining roughness; its stiffness and resistance are not those of "
+            "this map. Remove a tilt with topography.detrended(1), or use RoughIndentation for a rough ball.",
             "comparison with boundary elements",
         )
         return (

@@ -89,7 +89,7 @@ def hardness_notes(
     greatest = float(np.ravel(np.asarray(force))[last])
     mean = greatest / float(np.ravel(np.asarray(area))[last]) / hardness
     if share >= NEARLY_ALL:
-        regime = "the plastic limit A = F / H, in which the moduli hardly count"
+        regime = "the plastic limit A = F / H, in which the moduli have little influence"
     elif share <= HARDLY_ANY:
         regime = "elastic for the most part"
     else:
@@ -97,8 +97,8 @@ def hardness_notes(
     limit = Note(
         Assumption.ELASTIC,
         Standing.APPROXIMATE,
-        f"Under the greatest force {share:.0%} of the pixels in contact bear the hardness, and the mean pressure is "
-        f"{mean:.0%} of it: {regime}.",
+        f"Under the maximum force {share:.0%} of the pixels in contact carry the hardness, and the mean pressure "
+        f"is {mean:.0%} of it: {regime}.",
         TABOR,
     )
     if not rough.periodic and rough.detrended(2).rms_height < FLAT_SHARE * rough.rms_height:
@@ -109,9 +109,8 @@ def hardness_notes(
         Note(
             Assumption.ELASTIC,
             standing_of(heavy, LIGHT_LOAD, HEAVY_LOAD),
-            f"The force is {heavy:.2g} of hardness times the area of the map. The metal that flows has to go "
-            f"somewhere, which makes measured areas smaller than cut pressures do: by about {heavy:.2g} for plastic "
-            "contacts.",
+            f"The force is {heavy:.2g} of hardness times the area of the map. Displaced metal reduces measured "
+            f"areas below those of pressures limited to the hardness: by about {heavy:.2g} for plastic contacts.",
             PULLEN,
         ),
     )
@@ -130,8 +129,8 @@ class SurfaceContact(PerLoad[Q]):
     Parameters
     ----------
     topography : Topography
-        Heights of both bodies together, up towards the other one; the medium is flat.  A map that stands alone ends at
-        its border like a stamp, a periodic one goes on for ever.
+        Heights of both bodies together, up towards the other one; the medium is flat.  A non-periodic map ends at its
+        border like a punch; a periodic one repeats without end.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
         Both bodies.
     load : Force or Depth
@@ -140,13 +139,13 @@ class SurfaceContact(PerLoad[Q]):
     hardness : float, optional
         Pressure [Pa] that is not exceeded; infinite (the default) of elastic bodies.
     tolerance : float, optional
-        Greatest overlap over the depth, and pressure times gap over F d, at which a contact counts as solved.
+        Maximum overlap over the depth, and pressure times gap over F d, at which a contact counts as solved.
 
     Raises
     ------
     InvalidInput
-        If heights are missing or flat, the medium is another one, a load is not positive, the hardness or the
-        tolerance is out of range, or the map takes more memory than there is.
+        If heights are missing or flat, the medium has the wrong type, or a load is not positive. If hardness or
+        tolerance is out of range, or the map needs more memory than is free.
 
     References
     ----------
@@ -219,7 +218,7 @@ class SurfaceContact(PerLoad[Q]):
         Raises
         ------
         InvalidInput
-            If the map takes more memory than is free, or `arrays` needs array-api-compat, which is not installed.
+            If the map needs more memory than is free, or `arrays` needs array-api-compat, which is not installed.
         NotConverged
             If a contact is not solved to the tolerance, or the contrasts of the layers are too large.
         OutsideValidity

@@ -46,25 +46,29 @@ def surface_notes(
         As in `winkler.problems.rough.surface_states.SurfaceState`.
     """
     border = (
-        "The map is repeated for ever in both directions; depths are approaches of the mean planes."
+        "The map repeats without end in both directions. Depths are the approach of the mean planes."
         if rough.periodic
-        else "The map stands alone: beyond its border nothing touches, and pressures rise there like under a stamp."
+        else (
+            "The map is not periodic: nothing touches beyond its border, and pressures rise there as at the edge "
+            "of a punch."
+        )
     )
     overlap, left = float(np.max(penetration)), float(np.max(misfit))
     notes = [
         Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "Frictionless contact of homogeneous, linear elastic half-spaces, every pixel pressing on all others.",
+            "Frictionless contact of homogeneous, linear elastic half-spaces. The pressure of every pixel "
+            "displaces all other pixels.",
             POLONSKY,
         ),
         Note(Assumption.RESPONSE, Standing.EXACT, border, STANLEY if rough.periodic else POLONSKY),
         Note(
             Assumption.RESOLUTION,
             standing_left(max(overlap, left), Standing.ASYMPTOTIC),
-            f"Solved until surfaces overlap by at most {overlap:.1g} of the depth, and pressures do {left:.1g} "
-            "of the work of the force on gaps; smooth contacts gain two digits of the force for ten times the "
-            "pixels along a side.",
+            f"Residuals of the solver: the surfaces overlap by at most {overlap:.1g} of the depth. The work of "
+            f"the pressures on the gaps is {left:.1g} of that of the force. For smooth contacts ten times the "
+            "pixels along a side reduce the error of the force by a factor of 100.",
             POLONSKY,
         ),
     ]
@@ -77,8 +81,8 @@ def surface_notes(
                 else Standing.APPROXIMATE
                 if blurred > FINE_AREA_ERROR
                 else Standing.ASYMPTOTIC,
-                f"Spots of contact are about {0.5 / blurred:.2g} pixels wide. On this grid the area is known to "
-                f"about {100.0 * blurred:.2g} per cent, and the greatest pressure may be up to "
+                f"Contact spots are about {0.5 / blurred:.2g} pixels wide. On this grid the area has an error of "
+                f"about {100.0 * blurred:.2g} per cent, and the maximum pressure may be up to "
                 f"{600.0 * blurred**2:.2g} per cent too "
                 f"low{'; take a finer map.' if blurred > LOST_AREA_ERROR else '.'}",
                 YASTREBOV,
@@ -90,8 +94,8 @@ def surface_notes(
         Note(
             Assumption.SMALL_SLOPES,
             Standing.OUTSIDE if slope > 1.0 else Standing.APPROXIMATE if slope > STEEP_SLOPE else Standing.ASYMPTOTIC,
-            f"The heights have a root mean square slope of {slope:.2g}; half-space elasticity takes them as small"
-            f"{', this is none: are heights and lengths both in m?' if slope > 1.0 else '.'}",
+            f"The root mean square slope of the heights is {slope:.2g}; half-space elasticity requires small "
+            f"slopes{', this is none: are heights and lengths both in m?' if slope > 1.0 else '.'}",
             "K. L. Johnson, Contact Mechanics, Cambridge 1985, doi:10.1017/CBO9781139171731",
         )
     )
@@ -100,8 +104,8 @@ def surface_notes(
             Note(
                 Assumption.ELASTIC,
                 Standing.APPROXIMATE,
-                "Pressures are cut at the hardness, and what would overlap there is thought to flow; no strain is "
-                "followed, and unloading is not described.",
+                "Pressures are limited to the hardness; overlapping material is assumed to deform plastically. "
+                "Strains are not computed, and unloading is not described.",
                 ALMQVIST,
             )
         )
@@ -128,8 +132,8 @@ def border_notes(pressure: Array, periodic: bool) -> tuple[Note, ...]:
         Note(
             Assumption.RESOLUTION,
             Standing.APPROXIMATE,
-            f"The outermost pixels bear {share:.0%} of the force: right for a stamp that ends there; of a part of a "
-            "larger surface the map is too small for this load, take a larger one.",
+            f"The outermost pixels carry {share:.0%} of the force. This is correct for a rough punch that ends "
+            "there. If the map is part of a larger surface, it is too small for this load: use a larger map.",
             "sum of the pressures",
         ),
     )

@@ -60,13 +60,13 @@ _Search = Callable[[StrongPart, tensor.Measure], _Greatest]
 
 @value
 class ContactStress:
-    """The greatest stresses inside the bodies of a contact that is pressed without friction, and how deep they lie.
+    """The maximum stresses inside the bodies of a frictionless contact, and their depths.
 
     Parameters
     ----------
     contact : Indentation, EllipticIndentation or LineIndentation
-        How the bodies are pressed, by one load: homogeneous ones, or layers, all of them isotropic; by an Indentation
-        also a DepthGradedHalfSpace, whose graded body is one part.
+        The frictionless contact under one load, of homogeneous bodies or layers, all isotropic. An Indentation also
+        supports a DepthGradedHalfSpace, whose graded body is one part.
 
     Raises
     ------
@@ -104,22 +104,22 @@ class ContactStress:
         if offers(medium, GradedInDepth):
             if not isinstance(self.contact, Indentation):
                 raise InvalidInput(
-                    f"ContactStress: the contact is a {type(self.contact).__name__} on a {type(medium).__name__}; in "
-                    "gradings the greatest stresses are sought under round contacts only: give an Indentation, or a "
-                    "CoatedHalfSpace of layers that follow the grading."
+                    f"ContactStress: the contact is a {type(self.contact).__name__} on a {type(medium).__name__}; "
+                    "in graded bodies the maximum stresses are sought under round contacts only: give an "
+                    "Indentation, or a CoatedHalfSpace of layers that follow the grading."
                 )
         elif not (isinstance(medium, HalfSpace) or offers(medium, LayerStack)):
             raise InvalidInput(
-                f"ContactStress: the medium is a {type(medium).__name__}; the greatest stresses are sought in "
-                "isotropic bodies, layers and gradings only: give a HalfSpace, a CoatedHalfSpace, a SlidingFilm, a "
-                "StackedHalfSpace or a DepthGradedHalfSpace."
+                f"ContactStress: the medium is a {type(medium).__name__}; maximum stresses are implemented for "
+                "isotropic bodies, layers and graded bodies only. Give a HalfSpace, a CoatedHalfSpace, a "
+                "SlidingFilm, a StackedHalfSpace or a DepthGradedHalfSpace."
             )
         if offers(medium, LayerStack):
             bodies = (*(layer.solid for layer in medium.layers), medium.on, medium.second)
             if len(solid_parts(medium)) < sum(not isinstance(body, Rigid) for body in bodies):
                 raise InvalidInput(
-                    "ContactStress: a layer or body is transversely isotropic; the greatest stresses are sought in "
-                    "isotropic ones only: give layers of Elastic, or see the stresses of the contact."
+                    "ContactStress: a layer or body is transversely isotropic; the maximum stresses are sought "
+                    "in isotropic ones only: give layers of Elastic, or see the stresses of the contact."
                 )
 
     @property
@@ -128,7 +128,7 @@ class ContactStress:
         return self.contact.medium if isinstance(self.contact, EllipticIndentation) else self.contact.bed.medium
 
     def solve(self) -> ContactStressSolution:
-        """Return the greatest stresses of each kind.
+        """Return the maximum stresses of each kind.
 
         Raises
         ------
@@ -192,7 +192,7 @@ class PartStress:
 
 @value
 class ContactStressSolution:
-    """The solution of `ContactStress`; depths are below zero in the second body, if it is the more stressed one.
+    """The solution of `ContactStress`; depths are negative if the second body has the maximum stress.
 
     Parameters
     ----------
@@ -201,14 +201,15 @@ class ContactStressSolution:
     contact : IndentationSolution, EllipticSolution or LineSolution
         The contact.
     von_mises, von_mises_depth : float
-        Greatest von Mises stress [Pa], and where [m].
+        Maximum von Mises stress [Pa], and where [m].
     max_shear, max_shear_depth : float
-        Greatest shear stress [Pa], half the difference of the outermost principal stresses, and where [m].
+        Maximum shear stress [Pa], half the difference of the outermost principal stresses, and where [m].
     orthogonal_shear, orthogonal_shear_depth : float
-        Greatest shear stress in planes along the surface [Pa], and where [m]: of an ellipse along its shorter axis.
+        Maximum shear stress in planes along the surface [Pa], and where [m]: of an ellipse along its shorter axis.
     long_axis_shear, long_axis_shear_depth : float
-        The same along the longer semi-axis, as of a contact that rolls that way; of a round contact the same, of a
-        line contact zero, and the depth that of long ellipses on half-spaces: the half-width.
+        The same along the longer semi-axis, for a contact that rolls along it. For a round contact the values are
+        equal; for a line contact the stress is zero and the depth is the half-width (limit of long ellipses on
+        half-spaces).
     parts : tuple of PartStress
         The same of each body, layer and base that deforms, from the uppermost layer of the first body down.
     stress_error : float
@@ -236,7 +237,7 @@ class ContactStressSolution:
 
     @property
     def peak_pressure(self) -> float:
-        """p_0 [Pa], the greatest pressure."""
+        """p_0 [Pa], the maximum pressure."""
         return float(self.contact.peak_pressure)
 
     @property
@@ -247,8 +248,8 @@ class ContactStressSolution:
         summed = Note(
             Assumption.RESOLUTION,
             standing_of(self.stress_error, FINE, COARSE),
-            f"Stresses below an ellipse on layers are sums over pixels and waves, with an error of up to "
-            f"{self.stress_error:.1g}, the greatest of all kinds and parts.",
+            "Stresses below an ellipse on layers are sums over pixels and waves. The maximum error over all "
+            f"kinds and parts is {self.stress_error:.1g}.",
             "comparison of two grids",
         )
         return (*self.contact.validity, summed)

@@ -27,7 +27,7 @@ FINE, COARSE = 0.01, 0.2
 
 @value
 class MapStress:
-    """The stresses in a body under a given map of pressures and tractions, and the greatest of them.
+    """Stresses in a body under a given map of pressures and tractions, and their maximum.
 
     Parameters
     ----------
@@ -63,7 +63,7 @@ class MapStress:
     assumptions: ClassVar[frozenset[Assumption]] = MAPPED
 
     def solve(self) -> MapStressSolution:
-        """Return the greatest stress and its place; the solution gives the stresses at all others."""
+        """Return the maximum stress and its place; the solution gives the stresses at all others."""
         spot = greatest_stress(self.load, self.solid)
         coarse = greatest_stress(self.load.halved(), self.solid)
         return MapStressSolution(
@@ -82,11 +82,11 @@ class MapStressSolution(BelowSurface):
     force, x_force, y_force : float
         Sums of the pressures and of the tractions [N].
     von_mises : float
-        The greatest equivalent stress [Pa].
+        The maximum equivalent stress [Pa].
     x, y, z : float
         Its place [m].
     grid_error : float
-        Relative change of the greatest stress from pixels of twice the size.
+        Relative change of the maximum stress from pixels of twice the size.
     """
 
     __words__ = words(
@@ -131,14 +131,14 @@ class MapStressSolution(BelowSurface):
             Note(
                 Assumption.RESPONSE,
                 Standing.EXACT,
-                "Closed form of a homogeneous, linear elastic half-space under loads that are constant in each pixel.",
+                "Closed form for a homogeneous, linear elastic half-space under loads that are constant in each pixel.",
                 LOVE,
             ),
             Note(
                 Assumption.RESOLUTION,
                 standing_of(self.grid_error, FINE, COARSE),
-                f"The greatest stress is {place}; from pixels of twice the size it changes by {percent:.2g} per cent. "
-                "Nearer to the surface than half a pixel the steps between pixels show.",
+                f"The maximum stress is {place}. With pixels of twice the size it changes by {percent:.2g} per "
+                "cent. Above a depth of half a pixel the steps between pixels are visible.",
                 "comparison of two grids",
                 self.grid_error,
             ),

@@ -54,7 +54,7 @@ class SurfaceLoad:
     Raises
     ------
     InvalidInput
-        If the maps are none of one shape, hold what is no finite number, or no load at all.
+        If the maps differ in shape, are not finite, or contain no load.
 
     Examples
     --------

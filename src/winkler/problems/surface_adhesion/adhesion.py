@@ -61,29 +61,30 @@ TOUCHING = 1e-6
 
 @value
 class SurfaceAdhesion:
-    """A height map attracted by an elastic half-space, moved through displacements, without friction.
+    """A height map attracted by an elastic half-space under prescribed displacements, without friction.
 
     Parameters
     ----------
     topography : Topography
-        Heights of both bodies together, up towards the other one; a periodic map goes on for ever.
+        Sum of the heights of both bodies, positive towards the other one; a periodic map repeats without end.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
-        Both bodies.  Of a body whose surface has another modulus than what lies below, the zone of attraction is that
-        on the surface.
+        Both bodies.  If the surface of a body has another modulus than the material below, the cohesive zone follows
+        from the surface modulus.
     law : ShortRange, Dugdale, ExponentialAttraction or LennardJones
-        What attracts them.  In place of ShortRange (JKR) stands an exponential law whose range is the shortest that the
-        pixels resolve; Dugdale's stress ends over 0.8 of its range instead of at once.
+        What attracts them.  ShortRange (JKR) is replaced by an exponential law with the shortest range that the pixels
+        resolve. Dugdale's stress decreases over 0.8 of its range instead of at once.
     path : Depth
-        Displacements d [m], one after the other; zero where the highest point would touch (under `LennardJones`: be at
-        its spacing) without deformation, negative apart.  The bodies are brought to the first one from apart.
+        Displacements d [m] in sequence. Zero is first touch of the highest point without deformation (under
+        `LennardJones` at its equilibrium spacing); negative values are separations.  The bodies are brought to the
+        first one from apart.
     tolerance : float, optional
-        Greatest traction out of balance over the greatest traction at which a state counts as solved.
+        Maximum traction out of balance over the maximum traction at which a state counts as solved.
 
     Raises
     ------
     InvalidInput
-        If heights are missing, the path is no row, the law takes more in opening than in closing, or the map is too
-        large.
+        If heights are missing, the path is not a sequence, the work of opening exceeds that of closing, or the map is
+        too large.
     OutsideValidity
         If the zone of attraction, E* w / strength^2, spans fewer pixels than the law needs, or a periodic map closes.
 
@@ -147,7 +148,7 @@ class SurfaceAdhesion:
         Raises
         ------
         InvalidInput
-            If the map takes more memory than is free.
+            If the map needs more memory than is free.
         NotConverged
             If no state of rest is found to the tolerance.
         """
@@ -277,7 +278,7 @@ class SurfaceAdhesionSolution(MapAdhesion[Array], Looped):
 
     @property
     def pull_off_area(self) -> float:
-        """Area of what touches at the lowest force [m^2]."""
+        """Contact area at the lowest force [m^2]."""
         return float(self.area[int(np.argmin(self.force))])
 
     @property
@@ -369,34 +370,35 @@ def surface_adhesion_notes(
     number = "is flat" if math.isinf(tabor) else f"has a Tabor number of {tabor:.3g}"
     if isinstance(law, ShortRange):
         stated = (
-            f"In place of an attraction without range one that fades exponentially over {on_grid.range:.3g} m, the "
-            f"shortest that the grid resolves; with it the map {number}, and forces near those without range are off "
-            "by some per cent below 5; pull_off_without_range() extrapolates the pull-off force."
+            "The short-range attraction is replaced by an exponentially decaying one with a range of "
+            f"{on_grid.range:.3g} m, the shortest that the grid resolves. The map {number}. Below 5 forces differ "
+            "from those of short range by some per cent; pull_off_without_range() extrapolates the pull-off "
+            "force."
         )
     elif isinstance(on_grid.law, RoundedStep):
         stated = (
-            f"The constant stress ends over {2.0 * on_grid.law.half_width:.3g} of its range instead of at once, so "
-            f"that the grid does not pin it; the map {number}."
+            f"The constant stress decreases to zero over {2.0 * on_grid.law.half_width:.3g} of its range instead "
+            f"of at once, so that the edge is not pinned by the grid. The map {number}."
         )
     else:
-        stated = f"Gaps are taken between flat parts of the surfaces (Derjaguin); the map {number}."
+        stated = f"Gaps are treated as locally parallel (Derjaguin). The map {number}."
     return (
         *(note for note in medium_notes(medium, rough, math.inf, 0.0, 0.0, 0.0) if note not in mapped[2:]),
         Note(
             Assumption.RESOLUTION,
             standing_left(residual, Standing.ASYMPTOTIC),
-            f"The zone of attraction beside an edge spans {on_grid.span:.3g} pixels; the pull-off force of a ball is "
-            "then within about a per cent, in small jumps from pixel to pixel. Tractions are out of balance by at "
-            f"most {residual:.1g} of the greatest.",
+            f"The cohesive zone at an edge spans {on_grid.span:.3g} pixels. The pull-off force of a ball then has "
+            "an error of about one per cent; the edge moves in small jumps from pixel to pixel. Tractions are in "
+            f"equilibrium within {residual:.1g} of their maximum.",
             REY,
         ),
         Note(Assumption.ADHESION, Standing.APPROXIMATE, stated, TABOR),
         Note(
             Assumption.EQUILIBRIUM,
             Standing.APPROXIMATE if energy_misfit > 0.01 else Standing.ASYMPTOTIC,
-            f"The surfaces move slowly, in {count} jumps at once, in which all that the energy falls by is lost; the "
-            f"balance of energies lacks {energy_misfit:.1g} of the greatest energy. Jumps of single pixels are part of "
-            "this.",
+            f"The surfaces move slowly except in {count} jumps. In a jump all energy released is dissipated; the "
+            f"energy balance has an error of {energy_misfit:.1g} of the maximum energy. Jumps of single pixels "
+            "are included.",
             BALANCE,
         ),
         *mapped[3:],

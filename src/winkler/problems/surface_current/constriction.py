@@ -47,7 +47,7 @@ SAME_SHARE = 1e-6
 
 @value
 class SurfaceConstriction(PerLoad[Q]):
-    """A height map pressed onto another conductor, plated or not, and a current through its spots.
+    """Electrical resistance of a height map pressed onto another conductor, with or without platings.
 
     Parameters
     ----------
@@ -56,7 +56,7 @@ class SurfaceConstriction(PerLoad[Q]):
     conductors : ElectricalConductors
         What the bodies conduct, and the film between them; thick bodies, plated or not.
     drive : Current or Voltage
-        What is sent through; of several voltages at which a current flows, the lowest is taken.
+        Prescribed current or voltage; if several voltages give the same current, the lowest is returned.
     law : WiedemannFranz, optional
         How heat and current conduction go together; with Sommerfeld's Lorenz number unless given.
     temperature : float, optional
@@ -65,15 +65,14 @@ class SurfaceConstriction(PerLoad[Q]):
         Of the softer, or first melting, metal [K], above `temperature`; infinite (the default) if they are not asked
         for.  Holm states about 373 K and 1336 K for gold, 453 K and 1233 K for silver, 463 K and 1356 K for copper.
     mean_free_path : float, optional
-        Of the electrons [m]; with it a note states how far the resistance may be off by free flight.
+        Mean free path of the electrons [m]; a note states the resulting error of the resistance.
 
     Raises
     ------
     InvalidInput
         If a number is out of range, or a temperature is not above that of the bodies.
     OutsideValidity
-        If a body is a rod, since a map spreads the current into thick bodies, or a plating is thinner than
-        1e-7 of the map.
+        If a body is a rod (a map needs thick bodies), or a plating is thinner than 1e-7 of the map.
 
     References
     ----------
@@ -234,8 +233,8 @@ class SurfaceConstrictionSolution(PerLoad[Q]):
     patch_count : float or ndarray
         Number of spots of contact; pixels that touch at a corner belong to one spot.
     resistance, cold_resistance : float or ndarray
-        Voltage over current [ohm], and what it would be without heating; of a periodic map that of one period beyond
-        the same bodies in full contact without film.
+        Voltage over current [ohm], and the value without heating. For a periodic map: that of one period, in addition
+        to the same bodies in full contact without film.
     first_constriction, second_constriction : float or ndarray
         What the constriction costs in either body, cold, platings included [ohm].
     film_resistance : float or ndarray
@@ -245,7 +244,8 @@ class SurfaceConstrictionSolution(PerLoad[Q]):
     current, voltage, film_voltage : float or ndarray
         I [A]; V [V] between the ends, and over the film.
     contact_temperature, max_temperature : float or ndarray
-        T_c [K] where the bodies touch, between unlike platings that at the mean voltage of the current; and T_max [K].
+        T_c [K] of the contact, between different platings that at the mean voltage of the current; and maximum
+        temperature T_max [K].
     coldest_contact_temperature, hottest_contact_temperature : float or ndarray
         T_c [K] of the pixels in contact, which differ between unlike platings.
     softening_voltage, softening_current, melting_voltage, melting_current : float or ndarray
@@ -297,7 +297,7 @@ class SurfaceConstrictionSolution(PerLoad[Q]):
 
     @property
     def plating_factor(self) -> Q:
-        """Constriction over that of the same spots without platings and film [-]; nan where nothing constricts."""
+        """Constriction resistance over that of the spots without platings and film [-]; nan without constriction."""
         bare = np.asarray(self.bare_constriction, dtype=float)
         some = bare > 0.0
         return shaped(np.where(some, np.asarray(self.constriction) / np.where(some, bare, 1.0), np.nan))

@@ -51,7 +51,7 @@ def current_notes(
         Note(
             Assumption.CONDUCTION,
             Standing.EXACT,
-            "Steady conduction between thick bodies through all pixels in contact at one voltage"
+            "Steady conduction between thick bodies through all pixels in contact, which have one voltage"
             + (", their platings bonded without resistance" if plated else "")
             + (", through a film that also spreads the current" if film else "")
             + ".",
@@ -60,19 +60,19 @@ def current_notes(
         Note(
             Assumption.RESOLUTION,
             Standing.APPROXIMATE,
-            "The resistance is that of the pixels in contact: a round spot of n pixels across resists by about 0.5 / n "
-            "more than the disc of its area.",
+            "The resistance is computed for the pixels in contact. For a round spot n pixels wide it is too high "
+            "by a fraction of about 0.5 / n of that of the equal disc.",
             PIXELS,
         ),
         Note(
             Assumption.CONDUCTION,
             Standing.APPROXIMATE if film else Standing.EXACT,
-            "Steady state. Temperature follows from voltage for spots of any shape, if all metals obey Wiedemann's "
-            "and Franz' law with one Lorenz number. The ends are kept at the temperature of the bodies, and nothing "
-            "is lost around them; thermoelectric effects are left out."
+            "Steady state. Temperature follows from voltage for spots of any shape, if all metals obey the "
+            "Wiedemann-Franz law with one Lorenz number. The ends have the temperature of the bodies, and no "
+            "heat leaves through other surfaces. Thermoelectric effects are neglected."
             + (
-                " The contact is taken as of one temperature, and the heat of a film as spread like the current, as "
-                "where both bodies are alike and clean."
+                " The contact is assumed to have one temperature, and the heat of the film to be distributed as "
+                "the current. This is exact for equal, clean bodies."
                 if film
                 else ""
             ),
@@ -86,7 +86,7 @@ def current_notes(
             Note(
                 Assumption.CONDUCTION,
                 Standing.APPROXIMATE,
-                f"Between unlike platings the contact has no single temperature: {coldest[worst]:.5g} to "
+                f"Between different platings the contact has no single temperature: {coldest[worst]:.5g} to "
                 f"{hottest[worst]:.5g} K over its pixels, {mean[worst]:.5g} K at the mean voltage of the current.",
                 "own solution: with heat flowing as the current, L (T^2 - T_0^2) is the product of both voltages",
             )
@@ -97,8 +97,9 @@ def current_notes(
             Note(
                 Assumption.CONDUCTION,
                 Standing.APPROXIMATE,
-                "A plating and what carries it resist differently as they are heated; the mean of their temperature "
-                f"coefficients is taken, by which the hot resistance may be off by {100.0 * off:.2g} per cent.",
+                "The resistivities of a plating and of its substrate rise differently with temperature; the mean "
+                f"of both temperature coefficients is used. The hot resistance may differ by {100.0 * off:.2g} "
+                "per cent.",
                 HOLM,
                 off,
             )

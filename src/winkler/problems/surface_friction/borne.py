@@ -33,12 +33,12 @@ def refuse_beyond(push: float, torque: float, bound: Array, arms: Array) -> None
     most = float(np.sum(bound))
     if push > most * SLIDING_RATIO and push > 0.0:
         raise OutsideValidity(
-            f"a shear force of {push:.6g} N is prescribed where friction bears less than {most:.6g} N, and the bodies "
+            f"a shear force of {push:.6g} N is prescribed, but the friction limit is {most:.6g} N, and the bodies "
             "would slide away; give a smaller one"
         )
     borne = float(np.sum(bound * arms))
     if abs(torque) > borne * SLIDING_RATIO and torque != 0.0:
         raise OutsideValidity(
-            f"a torque of {torque:.6g} N m is prescribed where friction bears less than {borne:.6g} N m, and the "
+            f"a torque of {torque:.6g} N m is prescribed, but the friction limit is {borne:.6g} N m, and the "
             "bodies would turn away; give a smaller one"
         )

@@ -52,7 +52,7 @@ def _shares() -> Array:
 
 @value
 class JointStiffness(PerLoad[Q]):
-    """How stiff a pressed height map is, across and along the surface, and what it loses in a cycle of friction.
+    """Normal and tangential stiffness of a pressed height map, and its dissipated energy per cycle of friction.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ class JointStiffness(PerLoad[Q]):
     load : Force
         Normal force, compression positive, one or many; of a periodic map on one period.
     share : ndarray, (amplitudes,), optional
-        Amplitudes of the shear force along x under the last normal force, rising, over what friction bears: between
+        Amplitudes of the shear force along x under the last normal force, increasing, over the friction limit; between
         0.01 and 0.99.
 
     Raises
@@ -132,7 +132,7 @@ class JointStiffness(PerLoad[Q]):
         Raises
         ------
         NotConverged
-            If a contact, or what sticks and slips, is not found.
+            If a contact, or its stick zone, is not found.
         OutsideValidity
             If a periodic map touches everywhere under the last force, or the pixels are too coarse for the layers.
         """
@@ -187,19 +187,19 @@ class JointStiffnessSolution(PerLoad[Q]):
     contact : SurfaceContactSolution
         The contacts under the normal forces, with the maps of the last one.
     force, nominal_pressure, depth, area : float or ndarray
-        F_N [N], that over the area of the map [Pa], d [m] and the area of contact [m^2].
+        F_N [N], the force over the area of the map [Pa], d [m] and the contact area [m^2].
     stiffness, stiffness_x, stiffness_y : float or ndarray
         K_z, K_x, K_y [N/m]: of the contact moved as a whole, without slip.
     disc_stiffness : float or ndarray
         Along the surface [N/m], of the disc that is as stiff across: Mindlin's ratio times K_z.
     share, shear_amplitude : ndarray, (amplitudes,)
-        Amplitudes of the shear force along x under the last normal force, over what friction bears and in N.
+        Amplitudes of the shear force along x under the last normal force, over the friction limit and in N.
     shift_amplitude, loss_per_cycle : ndarray, (amplitudes,)
         Of the loops by boundary elements with friction [m], [J].
     spring_shift, spring_loss : ndarray, (amplitudes,)
         Of the same loops from the stiffnesses alone [m], [J].
     spring_forces, spring_stiffnesses : ndarray, (contacts,)
-        Normal forces F' [N] up to the last one and K_x [N/m] under them: what the springs know.
+        Normal forces F' [N] up to the last one and K_x [N/m] under them, which define the springs.
     loop : SurfaceTangentialSolution
         The path of all loops by boundary elements.
     """
@@ -250,7 +250,7 @@ class JointStiffnessSolution(PerLoad[Q]):
 
     @property
     def disc_ratio(self) -> Q:
-        """The same ratio of a disc [-]: 2 (1 - nu) / (2 - nu) of bodies alike."""
+        """The same ratio of a disc [-]: 2 (1 - nu) / (2 - nu) of equal bodies."""
         return self._over(self.disc_stiffness, self.stiffness)
 
     @property
@@ -289,12 +289,12 @@ class JointStiffnessSolution(PerLoad[Q]):
 
     @property
     def shift_error(self) -> float:
-        """Greatest difference of a shift by springs from boundary elements, over the greatest shift [-]."""
+        """Maximum difference of a shift by springs from boundary elements, over the maximum shift [-]."""
         return loop_difference(self.shift_amplitude, self.spring_shift)
 
     @property
     def loss_error(self) -> float:
-        """Greatest difference of a loss by springs from boundary elements, over the greatest loss [-]."""
+        """Maximum difference of a loss by springs from boundary elements, over the maximum loss [-]."""
         return loop_difference(self.loss_per_cycle, self.spring_loss)
 
     @property
@@ -309,17 +309,18 @@ class JointStiffnessSolution(PerLoad[Q]):
             Note(
                 Assumption.SLIP,
                 Standing.ASYMPTOTIC,
-                "Stiffnesses are those of the contact moved as a whole without slip or turning, in which pressures and "
-                "tractions do not act on each other: of the first, small motion. Along the surface they differ by up "
-                f"to {_per_cent(off)} % from those of the disc that is as stiff across.",
+                "The stiffnesses apply to small motions of the whole contact without slip or rotation. Coupling "
+                "of pressure and traction is neglected. The tangential stiffnesses differ by up to "
+                f"{_per_cent(off)} % from those of the disc with the same normal stiffness.",
                 BARBER,
             ),
             Note(
                 Assumption.SLIP,
                 Standing.APPROXIMATE,
-                "Springs take what slips to leave the contact of a lesser force. Here their shifts are up to "
-                f"{_per_cent(self.shift_error)} % of the greatest one off boundary elements with friction, their "
-                f"losses up to {_per_cent(self.loss_error)} % of the greatest one.",
+                "The springs assume that slip reduces the contact to that of a smaller force (Ciavarella, "
+                "Jaeger). Reference: boundary elements with friction. Displacements differ by at most "
+                f"{_per_cent(self.shift_error)} % of their maximum, the dissipated energy by "
+                f"{_per_cent(self.loss_error)} % of its maximum.",
                 JAEGER,
             ),
             *self.loop.validity,

@@ -26,9 +26,9 @@ IDA = "Y. Ida, J. Geophys. Res. 77 (1972) 3796-3805, doi:10.1029/JB077i020p03796
 UNCOUPLED_LAYERS = Note(
     Assumption.UNCOUPLED,
     Standing.APPROXIMATE,
-    "Tractions along layers also displace their surface normally, and pressures displace it tangentially, even if "
-    "the other body is equal. Both are left out (Goodman). This changes shear forces and tractions by terms of the "
-    "order of mu, and the stiffness without slip by less.",
+    "Tangential tractions on layers also displace the surface normally, and pressures displace it tangentially, "
+    "even if both bodies are equal. Both effects are neglected (Goodman). Shear forces and tractions change by "
+    "terms of the order of mu, the stiffness without slip by less.",
     GOODMAN,
 )
 STEADY_RATIO = 1e-9
@@ -65,8 +65,8 @@ def surface_shear_notes(
         Note(
             Assumption.SLIP,
             standing_left(float(np.max(misfit))),
-            f"{_named(law)} in each pixel, in the direction of its own slip. What slips is at its bound, with "
-            f"tractions along the slip of each step, to {float(np.max(misfit)):.1g} of the energy stored and lost.",
+            f"{_named(law)} in each pixel, opposite to the direction of its own slip. The residual of this "
+            f"condition is {float(np.max(misfit)):.1g} of the energy stored and dissipated.",
             KALKER,
         ),
     ]
@@ -75,8 +75,8 @@ def surface_shear_notes(
             Note(
                 Assumption.SLIP,
                 Standing.ASYMPTOTIC,
-                "Each pixel has the friction coefficient that belongs to the path along which it has slipped, and does "
-                "not recover. Steps in which friction falls faster than the bodies unload, and they jump, are refused.",
+                "The friction coefficient of each pixel depends on its accumulated slip and does not recover. "
+                "Steps in which friction falls faster than the bodies unload cause a jump and are not supported.",
                 IDA,
             )
         )
@@ -85,15 +85,12 @@ def surface_shear_notes(
             Note(
                 Assumption.RESOLUTION,
                 Standing.ASYMPTOTIC,
-                "The normal force changes along the path: what comes into contact counts as touching from the start of "
-                "its step on, so that results err in proportion to the steps; compare with twice the points.",
+                "The normal force changes along the path. New contact pixels count as touching from the start of "
+                "their step. Errors are proportional to the step size; compare with twice the points.",
                 KALKER,
             )
         )
-    stepped = (
-        "Pressing alone makes parts slip, so that results err in proportion to the steps in which the normal load is "
-        "applied."
-    )
+    stepped = "Normal loading alone causes slip. Errors are proportional to the steps of the normal load."
     if isinstance(medium, HomogeneousMedium):
         notes.append(solved_together_note(cast(Medium, medium), greatest_coefficient(law), stepped))
     else:

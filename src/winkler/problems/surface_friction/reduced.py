@@ -50,7 +50,7 @@ LOSS_POWER = 3.0
 
 @value
 class ReducedFriction:
-    """The problem of finding springs that stand for a height map under friction, with their error.
+    """Computation of a spring foundation that represents a height map under friction, with its error.
 
     Parameters
     ----------
@@ -189,7 +189,7 @@ class ReducedFrictionSolution:
 
     @property
     def force(self) -> float:
-        """F_N [N] of the boundary elements at the greatest depth."""
+        """F_N [N] of the boundary elements at the maximum depth."""
         return float(self.along.force[-1])
 
     @property
@@ -229,13 +229,13 @@ class ReducedFrictionSolution:
 
     @property
     def shift_error(self) -> float:
-        """Greatest difference of a shift over the greatest shift [-], and a tenth, and the misfit of forces."""
+        """Maximum difference of a shift over the maximum shift [-], and a tenth, and the misfit of forces."""
         pairs = zip(self.shift.T, self.spring_shift.T, strict=True)
         return BETWEEN * max(loop_difference(elements, springs) for elements, springs in pairs) + self.reduction.misfit
 
     @property
     def loss_error(self) -> float:
-        """Greatest difference of a loss over the greatest loss [-], and a tenth, and the misfit of forces thrice.
+        """Maximum difference of a loss over the maximum loss [-], and a tenth, and the misfit of forces thrice.
 
         Losses of partial slip grow with the third power of the shear force.
         """
@@ -245,5 +245,5 @@ class ReducedFrictionSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """How well the springs bear the forces, how far they are off under friction, and what the elements leave."""
+        """Accuracy of the springs: forces, errors under friction, and the error of the boundary elements."""
         return (self.reduction.validity[0], *direction_notes(self.bed), *self.along.validity)

@@ -62,8 +62,8 @@ def course_of(owner: str, medium: Any) -> tuple[MappedMedium, RelaxationSeries]:
         return medium, STILL
     if not medium.in_proportion:
         raise InvalidInput(
-            f"{owner}: {medium.reason} so that a wide contact relaxes otherwise than a small one and no single "
-            f"function of time stands for all pixels, as it must here; give {medium.alike}."
+            f"{owner}: {medium.reason} Wide and narrow contacts therefore relax differently. This problem needs "
+            f"one relaxation function for all pixels. Give {medium.alike}."
         )
     series = medium.relaxation
     if series.viscosity > 0.0:
@@ -198,8 +198,8 @@ def relaxing_map_notes(medium: Any, time: Array) -> tuple[Note, ...]:
 COURSE = Note(
     Assumption.RESPONSE,
     Standing.ASYMPTOTIC,
-    "All bodies relax by one function of time with Poisson's ratios that do not change, so that each step is one of "
-    "the elastic bodies of the other notes. Surfaces are displaced steadily between the points of the path, and "
-    "results err in proportion to the steps; compare with twice the points.",
+    "All bodies are assumed to have one common relaxation function and constant Poisson's ratios. Each step is "
+    "then an elastic problem to which the other notes apply. Surface displacements are assumed linear in time "
+    "between the points of the path. Errors are proportional to the step size; compare with twice the points.",
     LEE,
 )

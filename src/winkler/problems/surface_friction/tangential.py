@@ -55,26 +55,26 @@ class SurfaceTangential:
         Heights of both bodies together, up towards the other one; the medium is flat.  `SampledProfile` makes one of a
         ball, an ellipse or another profile.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, StackedHalfSpace or DepthGradedHalfSpace
-        Both bodies.  Of layers the displacements across the surface under tractions along it are left out.  Bodies
-        relax by one function of time, as ViscoelasticHalfSpace or RelaxingInProportion; before the first point of the
-        path nothing has happened, and what is not zero there comes suddenly.
+        Both bodies.  For layers normal displacements due to tractions are neglected.  Viscoelastic bodies need one
+        common relaxation function (ViscoelasticHalfSpace or RelaxingInProportion). The load history begins with the
+        first point of the path; a first load that is not zero is applied in one step.
     law : Coulomb, LinearSlipWeakening or ExponentialSlipWeakening
         Friction; each pixel has the coefficient that belongs to its own path of slip.
     path : Path
         Depth or normal force, and shift, shear force, angle or torque, over time.  Of a shift or a shear force with one
         component the other one is zero.
     twist : Angle or Torque, optional
-        How the bodies turn against each other beside a shift or a shear force, about the middle of the map,
-        anticlockwise positive: one number, or one for each point of the path.  They do not turn unless given.
+        Relative rotation of the bodies in addition to a displacement or shear force, about the middle of the map,
+        anticlockwise positive. One number, or one for each point of the path.  They do not turn unless given.
     tolerance : float, optional
-        Greatest `SurfaceShearState.misfit` at which stick and slip count as solved.
+        Maximum `SurfaceShearState.misfit` at which stick and slip count as solved.
 
     Raises
     ------
     InvalidInput
-        If heights are missing, the map is periodic and twisted, the numbers of the twist do not fit the path, the path
-        twists and there is a twist beside it, or the map is too large.  If bodies relax by more than one function of
-        time, or a dashpot stands alongside.
+        If heights are missing, the map is periodic and twisted, or the map is too large. If the numbers of the twist do
+        not fit the path, or the path already contains a twist.  If bodies relax by more than one function of time, or a
+        dashpot stands alongside.
 
     References
     ----------
@@ -145,8 +145,8 @@ class SurfaceTangential:
             )
         if self.topography.periodic and (turns or isinstance(self.twist, Torque) or np.any(numbers_of(self.twist))):
             raise InvalidInput(
-                "SurfaceTangential: a periodic map goes on for ever and has no middle to be turned about; leave the "
-                "twist out, or give a map that stands alone."
+                "SurfaceTangential: a periodic map repeats without end and has no middle for a rotation; leave "
+                "the twist out, or give a map that is not periodic."
             )
 
     @property
@@ -178,7 +178,7 @@ class SurfaceTangential:
         Raises
         ------
         OutsideValidity
-            If friction does not bear a prescribed shear force.
+            If a prescribed shear force exceeds the friction limit.
         NotConverged
             If stick and slip are not found to the tolerance.
         """
@@ -221,7 +221,7 @@ class SurfaceTangentialSolution(MapSlip[Array], Looped, LastMap):
     last : SurfaceShearState
         The contact at the end of the path, with its maps of pressure, traction and slip.
     heaviest : tuple of LoadedMap
-        The states among which the greatest stress of the whole path is sought.
+        The states among which the maximum stress of the whole path is sought.
     frames : tuple of TractionFrame
         What touches, sticks and slips in states along the history.
     """
@@ -260,8 +260,8 @@ class SurfaceTangentialSolution(MapSlip[Array], Looped, LastMap):
     def _medium(self) -> MappedMedium:
         if relaxes(self.problem.medium):
             raise OutsideValidity(
-                "SurfaceTangentialSolution: displacements and stresses below a height map on bodies that relax are not "
-                "known to winkler, its pressures and tractions are; give an elastic medium."
+                "SurfaceTangentialSolution: displacements and stresses below a height map on viscoelastic bodies are "
+                "not implemented, its pressures and tractions are; give an elastic medium."
             )
         return self.problem._course[0]
 
@@ -285,7 +285,7 @@ class SurfaceTangentialSolution(MapSlip[Array], Looped, LastMap):
         Raises
         ------
         OutsideValidity
-            If the path closes no cycle, nothing is shifted in it, it leaves a line, or the bodies turn.
+            If the path has no closed cycle, no displacement, changes its direction, or contains a rotation.
         """
         if self._loop.motion is self.angle:
             raise OutsideValidity(

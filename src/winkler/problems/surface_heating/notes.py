@@ -27,8 +27,8 @@ def passing_note(rolled: SurfaceRollingState) -> Note:
     return Note(
         Assumption.CONDUCTION,
         standing_of(0.25 * creepage, SMALL_CREEPAGE, LARGE_CREEPAGE),
-        f"Both bodies pass at the speed of rolling; with a slip of {creepage:.2g} of it the share of either may "
-        f"differ by {25.0 * creepage:.2g} per cent.",
+        f"Both bodies are assumed to pass the contact at the rolling speed. The slip velocity is {creepage:.2g} "
+        f"of it. This may change each body's share of the heat by {25.0 * creepage:.2g} per cent.",
         JAEGER,
         0.25 * creepage,
     )
@@ -55,7 +55,7 @@ def surface_heating_notes(
         Temperatures far away [K].
     """
     change = float(np.max(grid_error))
-    slow = "" if max(peclets) > 1.0 else " A slow body comes to it late: heat must spread over the contact."
+    slow = "" if max(peclets) > 1.0 else " A slow body reaches this state late, after heat has spread over the contact."
     touching = last.pressure > 0.0
     rise = float(np.max(hottest)) - min(bulk)
     risen = last.max_temperature - min(bulk)
@@ -64,23 +64,23 @@ def surface_heating_notes(
         Note(
             Assumption.CONDUCTION,
             Standing.EXACT,
-            "Steady heat conduction in half-spaces of constant conductivity and diffusivity that pass the contact "
-            f"along x, Pe = {peclets[0]:.3g} and {peclets[1]:.3g}; nothing is lost through the surface outside the "
-            f"contact.{slow}",
+            "Steady heat conduction in half-spaces of constant conductivity and diffusivity that pass the "
+            f"contact along x (Pe = {peclets[0]:.3g} and {peclets[1]:.3g}). No heat leaves the surface outside "
+            f"the contact.{slow}",
             JAEGER,
         ),
         Note(
             Assumption.CONDUCTION,
             standing_left(left),
-            "The bodies share the heat so that their surfaces have one temperature in every pixel where they touch, to "
-            f"{left:.1g} of the greatest rise.",
+            "The heat partition gives both surfaces one temperature in every pixel of the contact, within "
+            f"{left:.1g} of the maximum temperature rise.",
             BLOK,
         ),
         Note(
             Assumption.RESOLUTION,
             standing_of(change, FINE, COARSE),
-            f"The contact has {_most(touching, 0)} pixels along the motion and {_most(touching, 1)} across; from "
-            f"pixels of twice the size the greatest rise of temperature changes by {100.0 * change:.2g} per cent.",
+            f"The contact has {_most(touching, 0)} pixels along the motion and {_most(touching, 1)} across. With "
+            f"pixels of twice the size the maximum temperature rise changes by {100.0 * change:.2g} per cent.",
             "comparison of two grids",
             change,
         ),

@@ -45,27 +45,27 @@ def _passes(contact: SurfaceRolling | SurfaceLoad) -> bool:
 
 @value
 class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
-    """Bodies that slide along x, or roll with creepage, touch on a map of pixels, and warm up.
+    """Heating of bodies that slide along x, or roll with creepage, in contact on a pixel map.
 
     Parameters
     ----------
     contact : SurfaceLoad or SurfaceRolling
-        Pressures and tractions on the first body, mu p along x where the second one slides over it towards +x; or a
-        problem of rolling, with one creepage or many.
+        Pressures and tractions on the first body: mu p along x if the second body slides over it towards +x. Or a
+        rolling problem with one or more creepages.
     conductors : HeatConductors
         How the bodies conduct heat: two thick bodies of ThermalConductor, a perfect touch between them.
     first_speed, second_speed : float, optional
-        Velocities along x at which the surfaces of the bodies pass the contact [m/s]: of a SurfaceLoad, whose bodies
-        rest unless they are given.  Bodies that roll have the speed of their SurfaceRolling.
+        Velocities along x at which the surfaces pass the contact [m/s], for a SurfaceLoad; by default the bodies are at
+        rest.  Bodies that roll have the speed of their SurfaceRolling.
     first_bulk_temperature, second_bulk_temperature : float, optional
-        Temperatures of the bodies far from the contact [K], counted from a common level; both zero unless given, so
-        that temperatures are rises.
+        Temperatures of the bodies far from the contact [K], relative to a common level. With the default of zero all
+        temperatures are rises.
 
     Raises
     ------
     InvalidInput
-        If a body does not conduct heat, the map is periodic or one pixel wide, nothing presses, tractions push the
-        bodies on, a number is not finite, the speed of rolling is zero, or bodies that roll are given other speeds.
+        If a body does not conduct heat, the map is periodic or one pixel wide, or there is no pressure. If tractions
+        drive the bodies, a number is not finite, the rolling speed is zero, or rolling bodies have other speeds.
 
     References
     ----------
@@ -138,9 +138,9 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
             return
         if contact.periodic or min(contact.pressure.shape) < FEWEST_PIXELS:
             raise InvalidInput(
-                f"SurfaceFrictionHeating: the map has {contact.pressure.shape[0]} x {contact.pressure.shape[1]} pixels "
-                f"and is {'repeated for ever' if contact.periodic else 'finite'}; give one that stands alone, of at "
-                "least two pixels in both directions."
+                f"SurfaceFrictionHeating: the map has {contact.pressure.shape[0]} x {contact.pressure.shape[1]} "
+                f"pixels and is {'repeated for ever' if contact.periodic else 'finite'}; give one that is not "
+                "periodic, of at least two pixels in both directions."
             )
         if not np.any(contact.pressure > 0.0):
             raise InvalidInput("SurfaceFrictionHeating: no pressure is positive, so nothing touches; give a load.")
@@ -278,7 +278,7 @@ class SurfaceFrictionHeatingSolution(PerLoad[Q]):
     heat_rate, first_share, exchanged_heat_rate, max_temperature, mean_temperature, mismatch, grid_error
         As in `SurfaceHeatState`, float or ndarray.
     x, y : float or ndarray
-        Place of the greatest temperature [m].
+        Place of the maximum temperature [m].
     first_peclet, second_peclet : float
         Pe = V l / (2 kappa) of the bodies [-], with half the length l of the contact along x.
     last : SurfaceHeatState
@@ -307,7 +307,8 @@ class SurfaceFrictionHeatingSolution(PerLoad[Q]):
 
     @property
     def creep_power(self) -> Q:
-        """What the creepages take [W], forces and moment times speed; of bodies that slide the traction times velocity.
+        """Frictional power [W]: forces and moment times creepages and speed; for sliding bodies traction times
+        velocity.
 
         It is `heat_rate`, up to the error of the pixels.
         """

@@ -19,7 +19,7 @@ __all__ = ["ONE_PUSH", "CreepForce", "Given", "Spin", "first_of", "given_of"]
 
 @value
 class Spin(PerLoad[Q]):
-    """A prescribed spin of a rolling pair, beside given forces.
+    """A prescribed spin of a rolling pair, in addition to given forces.
 
     Parameters
     ----------
@@ -37,17 +37,17 @@ NO_SPIN: Any = Spin(0.0)
 
 @value
 class CreepForce(PerLoad[Q]):
-    """The forces of a rolling pair, whose creepages are sought.
+    """Prescribed forces of a rolling pair; the creepages are computed.
 
     Parameters
     ----------
     longitudinal : float or ndarray, optional
-        F_x [N], with which the second body drags the first along the direction of rolling, +x.
+        F_x [N] on the first body along the rolling direction +x.
     lateral : float or ndarray, optional
         F_y [N], across it.
     twist : Spin or Torque, optional
-        How the pair turns about the normal: the spin is given, or the moment M_z [N m] about the middle of the map, and
-        the spin is sought.
+        Rotation of the pair about the normal: a given spin, or a moment M_z [N m] about the middle of the map whose
+        spin is computed.
 
     All may be arrays, of shapes that fit each other; the results then have the common shape.
 

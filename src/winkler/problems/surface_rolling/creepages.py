@@ -216,7 +216,7 @@ class CreepSearch:
             self.stiffness, self.last = np.zeros((0, 0)), self.rest
             return self._sought(given, self.rest.traction)
         raise NotConverged(
-            f"the given forces are missed by {missing:.3g} of what friction bears, after {rolls} rolls; allowed "
+            f"the given forces are missed by {missing:.3g} of the friction limit, after {rolls} rolls; allowed "
             f"are {allowed:.3g}; {self._why()}"
         )
 

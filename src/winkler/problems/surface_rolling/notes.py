@@ -56,26 +56,31 @@ def surface_rolling_notes(
     touching = pressure > 0.0
     area, error = contact_area(touching, rough.pixel, False)
     across = int(np.max(np.count_nonzero(touching, axis=0)))
-    met = "; given forces are met to as much of the friction. Along" if forced else "; along"
+    met = " Prescribed forces are met within this fraction of mu F_N. Along" if forced else " Along"
     bodies = "Half-spaces" if isinstance(medium, HomogeneousMedium) else "Layered or graded bodies"
     law = Note(
         Assumption.SLIP,
         standing_left(float(np.max(misfit)), Standing.ASYMPTOTIC),
-        f"{bodies} that roll, {named(friction)} in each pixel, to {float(np.max(misfit)):.1g} of what friction would "
-        f"lose if all slipped{met} the rolling there are {across} pixels. Forces err in proportion to the size of a "
-        "pixel, by about 0.5 % of mu F_N with 40.",
+        f"{bodies} in rolling contact, {named(friction)} in each pixel. The residual is "
+        f"{float(np.max(misfit)):.1g} of the energy dissipated at full sliding.{met} the rolling direction there "
+        f"are {across} pixels. The error of the forces is proportional to the pixel size: about 0.5 % of mu F_N "
+        "with 40 pixels.",
         KALKER,
     )
     steady = Note(
         Assumption.STEADY,
         Standing.ASYMPTOTIC,
-        "Steady rolling, after some lengths of the contact; the heights stay with the contact and do not pass.",
+        "Steady rolling is assumed, after a distance of several contact lengths. The height map moves with "
+        "the contact and does not pass through it.",
         KALKER,
     )
     pressed = medium_notes(medium, rough, math.inf, error / area, PRESSED_TOLERANCE, PRESSED_TOLERANCE)
     if not isinstance(medium, HomogeneousMedium):
         return (*pressed, law, steady, UNCOUPLED_LAYERS)
-    turns = f"They agree to {COUPLED_TOLERANCE:.0e} of the depth; forces err in proportion to the pixels."
+    turns = (
+        f"Coupling converges to {COUPLED_TOLERANCE:.0e} of the depth. The error of the forces is proportional to "
+        "the pixel size."
+    )
     return (*pressed, law, steady, solved_together_note(cast(Medium, medium), greatest_coefficient(friction), turns))
 
 

@@ -123,7 +123,7 @@ def refuse_map(who: str, rough: Topography) -> None:
         )
     if rough.periodic:
         raise InvalidInput(
-            f"{who}: a periodic map has no leading edge, where material comes in; give a map that stands alone."
+            f"{who}: a periodic map has no leading edge, where material comes in; give a map that is not periodic."
         )
 
 

@@ -17,12 +17,12 @@ SMALL, LARGE = 0.03, 0.1
 def small_creep_note(greatest: float) -> Note:
     """Return whether the greatest creepage in a contact [-] is small against one."""
     standing = standing_of(greatest, SMALL, LARGE)
-    limit = f"it takes them below {100.0 * LARGE:.0f} per cent: beyond, the bodies slide more than they roll"
+    limit = f"its limit is {100.0 * LARGE:.0f} per cent, beyond which the bodies slide more than they roll"
     return Note(
         Assumption.SMALL_SLOPES,
         standing,
-        f"The theory of rolling takes creepages as small against one; here they reach {100.0 * greatest:.2g} per cent"
-        f"{'' if greatest <= LARGE else ', and ' + limit}.",
+        f"The theory of rolling assumes creepages small compared with one; here they reach {100.0 * greatest:.2g} "
+        f"per cent{'' if greatest <= LARGE else ', and ' + limit}.",
         KALKER,
     )
 

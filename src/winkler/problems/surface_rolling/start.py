@@ -55,12 +55,12 @@ class SurfaceRollingStart:
     topography, medium, load, friction : Topography, MappedMedium, Force or Depth, Coulomb
         As of `SurfaceRolling`.
     drive : ShearForce, CreepForce or Creepage
-        What stays as it is while the bodies roll: a force F_x, or (F_x, F_y), which pushes the bodies before they roll,
-        also with a spin or moment; or creepages, from bodies at rest without a shear force.
+        The constant load during rolling: a force F_x, or (F_x, F_y), applied before rolling, also with a spin or
+        moment; or creepages, from rest without a shear force.
     distance : float
         How far the contact rolls [m]; a state for each pixel.
     tolerance : float, optional
-        Greatest `SurfaceRollingStartState.misfit` at which a step counts as solved.
+        Maximum `SurfaceRollingStartState.misfit` at which a step counts as solved.
 
     Raises
     ------
@@ -117,7 +117,7 @@ class SurfaceRollingStart:
         Raises
         ------
         OutsideValidity
-            If the contact reaches the border of the map, or friction does not bear the force.
+            If the contact reaches the border of the map, or the force exceeds the friction limit.
         NotConverged
             If stick and slip are not found to the tolerance.
         """
@@ -202,7 +202,7 @@ class SurfaceRollingStartSolution(MapRollingStart[Array], LastMap):
     last : SurfaceRollingStartState
         The contact at the end, with its maps.
     heaviest : tuple of LoadedMap
-        The states among which the greatest stress of the whole distance is sought.
+        The states among which the maximum stress of the whole distance is sought.
     frames : tuple of TractionFrame
         What touches, sticks and slips in states along the history.
     """

@@ -54,20 +54,20 @@ class SurfaceRolling(PerLoad[Q]):
         Heights of both bodies together, up towards the other one, as seen from the contact: they do not pass with the
         material.  It stands alone; `SampledProfile` makes one of curved bodies.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, StackedHalfSpace or DepthGradedHalfSpace
-        Both bodies; of dissimilar half-spaces pressures draw the surface along, and tractions sink it.  Of layers the
-        displacements across the surface under tractions along it are left out.
+        Both bodies. For dissimilar half-spaces the tangential displacements due to pressure and the normal
+        displacements due to traction are included.  For layers normal displacements due to tractions are neglected.
     load : Force or Depth
         One positive number.
     friction : Coulomb or FallingFriction
         A coefficient that is positive and finite, or one that falls with the velocity of slip.
     drive : Creepage, CreepForce or ShearForce
-        Creepages and spin, or the forces F_x and F_y with the spin or the moment, also arrays; or one shear force F_x,
-        or (F_x, F_y), without spin.  Spin and moment turn about the middle of the map.
+        Creepages and spin; or forces F_x and F_y with the spin or the moment, also arrays; or a shear force F_x, or
+        (F_x, F_y), without spin.  Spin and moment turn about the middle of the map.
     tolerance : float, optional
-        Greatest `SurfaceRollingState.misfit` at which a contact counts as solved.
+        Maximum `SurfaceRollingState.misfit` at which a contact counts as solved.
     speed : float, optional
-        Of rolling [m/s], for friction that falls with the velocity of slip, which is creepage times speed, and for the
-        heat of friction; under Coulomb's law forces do not depend on it.
+        Rolling speed [m/s], for frictional heat and for friction that falls with the slip velocity (creepage times
+        speed). Under Coulomb's law forces do not depend on it.
 
     Raises
     ------
@@ -134,8 +134,8 @@ class SurfaceRolling(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If the contact reaches the border of the map, friction does not bear a force, or it falls too steeply with
-            the velocity of slip.
+            If the contact reaches the border of the map, a force exceeds the friction limit, or friction falls too
+            steeply with the slip velocity.
         NotConverged
             If stick and slip, or creepages are not found to the tolerance.
         """
@@ -210,7 +210,8 @@ def _stated(given: Array, by_force: Array) -> str:
 
 @value
 class SurfaceRollingSolution(MapRolling[Q], LastMap):
-    """The solution of a `SurfaceRolling`; its numbers are those of `MapRolling`, of the shape of what was prescribed.
+    """The solution of a `SurfaceRolling`; its numbers are those of `MapRolling`, with the shape of the prescribed
+    quantity.
 
     Parameters
     ----------
@@ -219,7 +220,7 @@ class SurfaceRollingSolution(MapRolling[Q], LastMap):
     last : SurfaceRollingState
         The last contact, with its maps of pressure, traction and slip.
     heaviest : tuple of LoadedMap
-        The states among which the greatest stress of all cases is sought.
+        The states among which the maximum stress of all cases is sought.
     frames : tuple of TractionFrame
         What touches, sticks and slips in states along the history.
     """

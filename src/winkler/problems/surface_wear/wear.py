@@ -47,19 +47,19 @@ __all__ = ["SurfaceWear", "SurfaceWearSolution", "begin", "go"]
 
 @value
 class SurfaceWear:
-    """A height map that slides on the other body under a steady load, and wears.
+    """Wear of a height map that slides under a steady load.
 
     Parameters
     ----------
     contact : SurfaceContact
-        The map before wear and how it is pressed: one force, or one depth at which it is held.
+        The map before wear and its load: one force, or one constant depth.
     wear : Archard
         How fast the map wears.
     distance : float or ndarray, (steps,)
-        After which distances slid [m] the contact is returned, to and fro counted together; one number stands for the
-        whole distance, and 41 states up to there.
+        Sliding distances [m] after which the contact is returned, summed over both directions; one number gives 41
+        states up to it.
     tolerance : float, optional
-        Greatest error of the worn depth in one step, over the greatest worn depth.
+        Maximum error of the worn depth in one step, over the maximum worn depth.
 
     Raises
     ------
@@ -139,8 +139,8 @@ class SurfaceWear:
         Parameters
         ----------
         start : SurfaceWearState, optional
-            A state of this problem, or of the same one with other distances, that was yielded before: the march goes on
-            after it, and yields the same numbers as if it had never stopped.
+            A state of this problem, or of the same one with other distances, from an earlier run. The computation
+            continues from it, with the same numbers as without interruption.
 
         Raises
         ------
@@ -237,7 +237,7 @@ class SurfaceWearSolution(MapWear[Array]):
     problem : SurfaceWear
         The problem that was solved.
     first, last : SurfaceWearState
-        The states at the first and the last distance, with their maps; ``problem.steps(start=last)`` goes on.
+        The states at the first and the last distance, with their maps; ``problem.steps(start=last)`` continues.
     """
 
     __words__ = words(
@@ -252,7 +252,7 @@ class SurfaceWearSolution(MapWear[Array]):
 
     @property
     def mean_pressure(self) -> Array:
-        """F / A [Pa], ``(steps,)``; zero where a map that is held has lost its contact."""
+        """F / A [Pa], ``(steps,)``; zero if a map at constant depth has lost contact."""
         return np.divide(self.force, self.area, out=np.zeros_like(self.force), where=self.area > 0.0)
 
     def worn_topography(self) -> Topography:
@@ -399,8 +399,9 @@ def wear_notes(contact: SurfaceContact, tolerance: float, last: SurfaceWearState
         Note(
             Assumption.RESOLUTION,
             Standing.APPROXIMATE,
-            f"Each step errs by at most {tolerance:.0e} of the greatest worn depth. Greatest pressures err by more: a "
-            "pixel that has just come into contact bears much for a short way; a smaller tolerance shows by how much.",
+            f"The error of each step is at most {tolerance:.0e} of the maximum worn depth. Maximum pressures are "
+            "less accurate: a pixel that has just come into contact briefly carries a high pressure. Compare "
+            "with a smaller tolerance.",
             ALEXANDER,
         ),
     ]
@@ -410,8 +411,8 @@ def wear_notes(contact: SurfaceContact, tolerance: float, last: SurfaceWearState
             Note(
                 Assumption.WEAR,
                 standing_of(share, THIN_WEAR, DEEP_WEAR),
-                f"The layers keep their thickness for the elastic response; {share:.2g} of the uppermost one was worn "
-                "off where most was.",
+                "The elastic response uses the initial thickness of the layers. The maximum wear of the "
+                f"uppermost layer is {share:.2g} of its thickness.",
                 OWN_CHECK,
             )
         )
@@ -420,8 +421,8 @@ def wear_notes(contact: SurfaceContact, tolerance: float, last: SurfaceWearState
             Note(
                 Assumption.WEAR,
                 Standing.APPROXIMATE,
-                "The grading counts from the surface before wear for the elastic response: what was worn off must be "
-                f"shallow against it; the greatest worn depth is {last.worn_depth:.3g} m.",
+                "The elastic response uses the grading measured from the unworn surface. This requires wear that "
+                f"is shallow compared with the grading; the maximum worn depth is {last.worn_depth:.3g} m.",
                 OWN_CHECK,
             )
         )
@@ -430,8 +431,8 @@ def wear_notes(contact: SurfaceContact, tolerance: float, last: SurfaceWearState
             Note(
                 Assumption.ELASTIC,
                 Standing.APPROXIMATE,
-                "Where pressures are cut at the hardness only wear changes the heights for good; what flows is not "
-                "kept.",
+                "Pressures are limited to the hardness. Only wear changes the heights permanently; plastic "
+                "deformation is not kept.",
                 "assumption of the cut of pressures",
             )
         )

@@ -107,9 +107,9 @@ MACHINE_STIFFNESS_RANGE = POSITIVE_OR_INFINITE._replace(demand="it must be posit
 
 @value
 class ViscoelasticAdhesion:
-    """A body that sticks to rubber, pressed on and pulled off along a path.
+    """Adhesive contact with rubber, pressed on and pulled off along a path.
 
-    The bodies are apart at the beginning and first approach slowly up to the first point of the path.
+    The bodies are initially apart and approach slowly up to the first point of the path.
 
     Parameters
     ----------
@@ -117,17 +117,18 @@ class ViscoelasticAdhesion:
         Foundation(profile, medium); a medium that relaxes counts as relaxed, and RelaxingInProportion must state the
         moduli of that state.
     law : RateDependentWork or SaturatingWork
-        What opening takes at which speed.
+        The work of opening as a function of the speed.
     path : Path
         Positions of the far end of the machine over time, Path(time, Depth([...])).
     machine_stiffness : float, optional
-        k_m [N/m] of the spring between far end and contact; infinite for fixed grips, a soft one is almost a dead load.
+        k_m [N/m] of the spring between the drive and the contact; infinite for fixed grips. A soft spring is almost a
+        dead load.
 
     Raises
     ------
     InvalidInput
-        If the bed flows for ever, its moduli are not the relaxed ones, the law has no speed, the path prescribes
-        forces or moves along the surface, or the stiffness is not positive.
+        If the body is a liquid at long times, its moduli are not the relaxed ones, or the law does not depend on speed.
+        If the path prescribes forces or tangential motion, or the stiffness is not positive.
 
     References
     ----------
@@ -211,8 +212,8 @@ class ViscoelasticAdhesion:
         Raises
         ------
         OutsideValidity
-            If the contact grows beyond what is known of the profile or is no disc: at that step, the states before it
-            have been yielded.
+            If the contact grows beyond the known range of the profile or is not a disc. The error is raised at that
+            step, after all earlier states.
         NotConverged
             If the edge cannot be followed.
         """
@@ -280,9 +281,9 @@ class ViscoelasticAdhesionSolution(RubberCrack[Array], Looped):
 SEPARATED = Note(
     Assumption.ADHESION,
     Standing.APPROXIMATE,
-    "What is viscous happens at the edge alone. The body is taken as relaxed, which holds if the contact's size over "
-    "the speed of the edge is far longer than the relaxation times. The edge closes without delay, and the work of "
-    "opening follows its law, whatever the speed.",
+    "All viscous dissipation occurs at the contact edge. The body is assumed fully relaxed: the contact size "
+    "over the speed of the edge is much longer than the relaxation times. The edge closes without delay. The "
+    "work of opening follows its law of speed.",
     "D. Maugis, M. Barquins, J. Phys. D: Appl. Phys. 11 (1978) 1989-2023, doi:10.1088/0022-3727/11/14/011",
 )
 
@@ -370,8 +371,8 @@ class Crack:
             loss = self.energy(leap.start, leap.level) - self.energy(leap.end, leap.level)
             if loss < -1e-10 * abs(self.energy(leap.end, leap.level)):
                 raise OutsideValidity(
-                    f"ViscoelasticAdhesion: at the position {leap.level:.6g} m the edge would have to run uphill to "
-                    f"{leap.end:.6g} m: a ring of the body touches there first, and the contact is no disc."
+                    f"ViscoelasticAdhesion: at the position {leap.level:.6g} m the edge would have to run uphill "
+                    f"to {leap.end:.6g} m: a ring of the body touches there first, and the contact is not a disc."
                 )
             self.lost += max(loss, 0.0)
         self.radius = float(end[0])

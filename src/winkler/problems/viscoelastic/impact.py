@@ -58,7 +58,7 @@ TRIAL_CELLS = 60
 
 @value
 class ViscoelasticImpact:
-    """A rigid body strikes a viscoelastic one straight on.
+    """Normal impact of a rigid body on a viscoelastic one.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ class ViscoelasticImpact:
     Raises
     ------
     InvalidInput
-        If the bed does not relax, or a number is out of range.
+        If the medium is not viscoelastic, or a number is out of range.
 
     References
     ----------
@@ -127,9 +127,9 @@ class ViscoelasticImpact:
         Raises
         ------
         OutsideValidity
-            If the body is pressed beyond what is known of its profile, or its contact is no disc.
+            If the body is pressed beyond the known range of its profile, or its contact is not a disc.
         NotConverged
-            If the restitution does not settle, or the body neither comes to rest nor leaves.
+            If the restitution does not converge, or the body neither comes to rest nor leaves.
         """
         scale, layered = self._scale(), is_layered("", self.bed)
         # the first march only determines how wide the contact gets
@@ -151,8 +151,8 @@ class ViscoelasticImpact:
                 return ViscoelasticImpactSolution(self, *np.array(march.lines).T)
             finer, last = 2 * finer, restitution
         raise NotConverged(
-            f"ViscoelasticImpact: the restitution does not settle within {self.tolerance:g}; allow more, or give more "
-            "springs."
+            f"ViscoelasticImpact: the restitution does not converge within {self.tolerance:g}; allow more, or "
+            "give more springs."
         )
 
     def _scale(self) -> float:
@@ -241,7 +241,7 @@ class ViscoelasticImpactSolution:
     problem : ViscoelasticImpact
         The problem that was solved.
     time : ndarray, (steps,)
-        Since first touch [s]; the last one is when the last spring lets go, or the body rests.
+        Time since first touch [s], up to the separation of the last spring, or rest.
     depth : ndarray, (steps,)
         d [m].
     velocity : ndarray, (steps,)
@@ -274,7 +274,7 @@ class ViscoelasticImpactSolution:
 
     @property
     def restitution(self) -> float:
-        """Velocity of parting over that of approach [-]; zero if the body comes to rest."""
+        """Rebound velocity over approach velocity [-]; zero if the body comes to rest."""
         return max(0.0, -float(self.velocity[-1]) / self.problem.velocity)
 
     @property
@@ -284,7 +284,7 @@ class ViscoelasticImpactSolution:
 
     @property
     def dissipation(self) -> float:
-        """Kinetic energy that the impact takes [J]; part of it leaves as the surface recovers."""
+        """Kinetic energy absorbed by the impact [J]; part of it is released later as the surface recovers."""
         if self.restitution == 0.0:
             return float(self.kinetic_energy[0])
         return float(self.stored_energy[-1] + self.bulk_loss[-1])

@@ -56,9 +56,10 @@ BLOCK_UNDER_FORCES = 256
 
 @value
 class ViscoelasticIndentation:
-    """A body pressed into a viscoelastic one.
+    """A body pressed into a viscoelastic one along a path of loads.
 
-    Before the first point of the path nothing has happened; a first depth or force that is not zero comes suddenly.
+    The load history begins with the first point of the path. A first depth or force that is not zero is applied in one
+    step.
 
     Parameters
     ----------
@@ -68,15 +69,16 @@ class ViscoelasticIndentation:
         Depths or forces over time; equal times are a sudden step, which a dashpot alongside (Kelvin-Voigt) forbids
         for depths.  Under no force the body rests on the surface.
     count : int, optional
-        How many springs, or cells on layers that relax each by a law of its own; the error falls with its square.
+        How many springs, or cells on layers with separate relaxation functions; the error falls with its square.
     tolerance : float, optional
-        Error of the depth in one step under prescribed forces, over the greatest depth.  On layers that relax each by
-        a law of its own the same of the force at prescribed depths, and 0.1 / count^2 where that is more.
+        Error of the depth in one step under prescribed forces, over the maximum depth.  On layers with separate
+        relaxation functions the same of the force at prescribed depths, and 0.1 / count^2 where that is more.
 
     Raises
     ------
     InvalidInput
-        If the bed does not relax, the path moves along the surface, a force is tensile, or a number is out of range.
+        If the medium is not viscoelastic, the path moves along the surface, a force is tensile, or a number is out of
+        range.
 
     References
     ----------
@@ -156,8 +158,8 @@ class ViscoelasticIndentation:
         Raises
         ------
         OutsideValidity
-            If the body is pressed beyond what is known of its profile, is moved suddenly against a dashpot, or the
-            contact is no disc: at that step, the states before it have been yielded.
+            If the depth exceeds the known range of the profile, or a dashpot is loaded by a step. If the contact is not
+            a disc. The error is raised at that step, after all earlier states.
         NotConverged
             If the depth under a force is not found.
         """
@@ -234,7 +236,7 @@ class ViscoelasticIndentation:
             if far.size:
                 raise NotConverged(
                     f"ViscoelasticIndentation: at {times[part][far[0]]:.6g} s the body has come deeper than the "
-                    "greatest force would have pressed it; allow a smaller tolerance."
+                    "maximum force would have pressed it; allow a smaller tolerance."
                 )
             if why:
                 raise NotConverged(f"ViscoelasticIndentation: at {times[part.stop]:.6g} s {why}")

@@ -39,7 +39,7 @@ def _disc(bed: Any, radius: float) -> tuple[Note, ...]:
     one = Note(
         Assumption.SINGLE_CONTACT,
         Standing.EXACT,
-        "That the contact is one disc was checked at every point: no tension inside, no overlap outside.",
+        "It was checked at every point that the contact is one disc: no tension inside, no overlap outside.",
         "a-posteriori check of pressure and separation, at sampled places",
     )
     return (one,) if 0.0 < radius < bed.rim else ()
@@ -54,7 +54,7 @@ def _error_note(problem: Any, solution: Any) -> Note:
         return Note(
             Assumption.RESOLUTION,
             Standing.APPROXIMATE,
-            f"The error of cells and steps is not known, since a coarser solution was not found: {failed}",
+            f"The error of cells and steps is not known, because no coarser solution was found: {failed}",
             HALVED,
         )
     many = min(force.size, forces.size)
@@ -72,8 +72,9 @@ def resolution_note(bed: Any, what: str, change: float, widest: float) -> Note:
     return Note(
         Assumption.RESOLUTION,
         standing,
-        f"Half as many cells, and coarser steps, change {what} by {change:.2g} of the greatest; at most about "
-        f"as much is left. The sum of exponentials of a wave is wrong by {error:.0e} at most.",
+        f"Half as many cells, and coarser steps, change {what} by {change:.2g} of the maximum; the remaining "
+        "error is at most about as large. The sum of exponentials for a wavelength has an error of at most "
+        f"{error:.0e}.",
         HALVED,
     )
 

@@ -65,10 +65,9 @@ def relaxation_of(owner: str, bed: Bed) -> RelaxationSeries:
     medium = bed.medium
     if offers(medium, RelaxingByWaves):
         raise InvalidInput(
-            f"{owner}: {medium.reason} so that a wide contact relaxes otherwise than a small one and no single "
-            "function of time stands for all springs, as it must here; ViscoelasticIndentation, CreepTest, "
-            "RelaxationTest, HarmonicIndentation and ViscoelasticImpact know such a medium: use one of these, or "
-            f"{medium.alike}."
+            f"{owner}: {medium.reason} Wide and narrow contacts therefore relax differently. This problem needs "
+            "one relaxation function for all springs. Use ViscoelasticIndentation, CreepTest, RelaxationTest, "
+            f"HarmonicIndentation or ViscoelasticImpact, or give {medium.alike}."
         )
     if not offers(medium, RelaxingMedium) or not isinstance(bed, OnMedium):
         raise InvalidInput(
@@ -199,6 +198,6 @@ def refuse_rings(owner: str, time: Array, ring: Array) -> None:
     """Refuse contacts of other springs than those about the axis."""
     if np.any(ring):
         raise OutsideValidity(
-            f"{owner}: at {time[ring][0]:.6g} s the body touches around a dent that has not recovered, so the contact "
-            "is no disc, and the springs do not describe it; end the path before."
+            f"{owner}: at {time[ring][0]:.6g} s the body touches around a dent that has not recovered, so the "
+            "contact is not a disc, and the springs do not describe it; end the path before."
         )

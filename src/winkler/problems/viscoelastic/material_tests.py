@@ -35,7 +35,7 @@ __all__ = ["CreepTest", "RelaxationTest", "StepSolution"]
 
 @value
 class CreepTest:
-    """A force is put on at once, and stays.
+    """A constant force, applied in one step.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ class CreepTest:
     Raises
     ------
     InvalidInput
-        If the bed does not relax, or a number is out of range.
+        If the medium is not viscoelastic, or a number is out of range.
 
     References
     ----------
@@ -79,7 +79,7 @@ class CreepTest:
             relaxation_of("CreepTest", self.bed)
 
     def solve(self) -> StepSolution:
-        """Return how the body sinks.
+        """Return depth and contact radius over time.
 
         Returns
         -------
@@ -88,9 +88,9 @@ class CreepTest:
         Raises
         ------
         OutsideValidity
-            If it sinks beyond what is known of its profile, or the contact on layers is no disc.
+            If the depth exceeds the known range of its profile, or the contact on layers is not a disc.
         NotConverged
-            If cells do not resolve layers that relax each by a law of its own.
+            If cells do not resolve layers with separate relaxation functions.
         """
         medium = self.bed.medium
         assert offers(medium, RelaxingMedium)
@@ -102,7 +102,7 @@ class CreepTest:
 
 @value
 class RelaxationTest:
-    """The body is pressed to a depth at once, and held.
+    """A constant depth, applied in one step.
 
     Parameters
     ----------
@@ -116,7 +116,7 @@ class RelaxationTest:
     Raises
     ------
     InvalidInput
-        If the bed does not relax, or a number is out of range.
+        If the medium is not viscoelastic, or a number is out of range.
 
     References
     ----------
@@ -155,9 +155,9 @@ class RelaxationTest:
         Raises
         ------
         OutsideValidity
-            If the depth is beyond what is known of the profile, or the contact on layers is no disc.
+            If the depth is beyond the known range of the profile, or the contact on layers is not a disc.
         NotConverged
-            If cells do not resolve layers that relax each by a law of its own.
+            If cells do not resolve layers with separate relaxation functions.
         """
         if is_layered("RelaxationTest", self.bed):
             return StepSolution(self, self.time, *stepped("RelaxationTest", self.bed, self.time, Depth(self.depth)))

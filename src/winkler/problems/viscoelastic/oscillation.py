@@ -30,7 +30,7 @@ __all__ = ["HarmonicIndentation", "HarmonicSolution"]
 
 @value
 class HarmonicIndentation(PerLoad[Q]):
-    """A body pressed in, at rest until all has relaxed, then moved up and down a little.
+    """A small normal oscillation about a relaxed indentation.
 
     Parameters
     ----------
@@ -44,7 +44,7 @@ class HarmonicIndentation(PerLoad[Q]):
     Raises
     ------
     InvalidInput
-        If the bed does not relax, a fluid is to bear a force, or a number is out of range.
+        If the medium is not viscoelastic, a liquid would have to carry a steady force, or a number is out of range.
 
     References
     ----------
@@ -89,7 +89,7 @@ class HarmonicIndentation(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If the load is beyond what is known of the profile.
+            If the load is beyond the known range of the profile.
         """
         frequency = np.asarray(self.angular_frequency, dtype=float)
         if is_layered("HarmonicIndentation", self.bed):
@@ -147,8 +147,8 @@ class HarmonicSolution(PerLoad[Q]):
         small = Note(
             Assumption.RESPONSE,
             Standing.ASYMPTOTIC,
-            "The amplitude is small against the depth, so that the contact stays as wide as it is and no spring lets "
-            "go.",
+            "The amplitude is assumed small compared with the depth. The contact radius then stays constant, and "
+            "no spring separates.",
             "linearisation about the relaxed contact",
         )
         times = times_notes(bed.medium, float(1.0 / np.max(frequency)), float(1.0 / np.min(frequency)))

@@ -212,8 +212,8 @@ def steady_cycle(owner: str, bed: Bed, law: Coulomb, swing: Swing, count: int, t
             if small == 2:
                 if cycle.ring:
                     raise OutsideValidity(
-                        f"{owner}: the body touches around a dent that does not recover within a cycle, so the contact "
-                        "is no disc; give a smaller amplitude of the depth, or a lower frequency."
+                        f"{owner}: the body touches around a dent that does not recover within a cycle, so the "
+                        "contact is not a disc; give a smaller amplitude of the depth, or a lower frequency."
                     )
                 return cycle
         before = cycle
@@ -327,14 +327,14 @@ def swing_notes(bed: Bed, law: Coulomb, period: float, contact: ViscoelasticStat
     repeats = Note(
         Assumption.STEADY,
         Standing.ASYMPTOTIC,
-        "Springs were followed from cycle to cycle until loss and forces repeated; `cycle_change` states by what part "
-        "the last two cycles differ.",
+        "The springs were followed from cycle to cycle until dissipated energy and forces repeated. "
+        "`cycle_change` is the relative difference of the last two cycles.",
         "hereditary springs followed from cycle to cycle",
     )
     slow = Note(
         Assumption.INERTIA,
         Standing.ASYMPTOTIC,
-        "The motion is slow: inertia and waves in the bodies are left out.",
+        "The motion is slow: inertia and waves in the bodies are neglected.",
         "quasi-static contact",
     )
     time, depth, radius = (

@@ -347,7 +347,7 @@ def dragged_notes(bed: Bed, law: Coulomb, time: Array, depth: Array, radius: Arr
 CATTANEO = Note(
     Assumption.SLIP,
     Standing.ASYMPTOTIC,
-    "Tractions are taken parallel to the motion and the directions as independent (Cattaneo-Mindlin); "
-    "sliding is decided spring by spring at the end of every step.",
+    "Tractions are assumed parallel to the motion, and both directions independent (Cattaneo-Mindlin). Slip of "
+    "each spring is decided at the end of every step.",
     "R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268, doi:10.1115/1.4009973",
 )

@@ -301,9 +301,10 @@ class DraggedRow(Row[DragGoal, DraggedSprings]):
         close = FORCE_TOLERANCE * max(most, abs(prescribed))
         if not endless and abs(prescribed) > most + close:
             raise OutsideValidity(
-                f"a {cells.load} of {prescribed:.6g} {cells.unit} is prescribed where friction bears {most:.6g} "
-                f"{cells.unit} at most, and the bodies would {'spin' if cells.motion == 'Angle' else 'slide away'}; "
-                f"press them harder, or give {'an' if cells.motion == 'Angle' else 'a'} {cells.motion}."
+                f"a {cells.load} of {prescribed:.6g} {cells.unit} is prescribed, but the friction limit is "
+                f"{most:.6g} {cells.unit}, and the bodies would "
+                f"{'spin' if cells.motion == 'Angle' else 'slide away'}; press them harder, or give "
+                f"{'an' if cells.motion == 'Angle' else 'a'} {cells.motion}."
             )
         low, high, moved, stride = -math.inf, math.inf, state.slide * dt, 0.0
         for turn in range(MOST_TRIALS):

@@ -76,11 +76,11 @@ def dragged_twist_notes(bed: Bed, states: Sequence[DraggedTwist]) -> tuple[Note,
     time, depth, radius = (np.array([getattr(state, word) for state in states]) for word in ("time", "depth", "radius"))
     nested = all(state.nested for state in states)
     statement = (
-        "Torsion of a round contact and its normal load do not act on each other, and everything relaxes by one "
-        "function of time. For small rotations the springs give the three-dimensional solution itself, as long as "
-        "the slip zone is an outer ring. This "
-        + ("is at every point of the path" if nested else "is not at every point of the path")
-        + f". Sliding is decided spring by spring at the end of every step; {states[-1].position.size} springs."
+        "Torsion of a round contact and its normal load are uncoupled, and all bodies have one common relaxation "
+        "function. For small rotations the springs are equal to the three-dimensional solution, as long as the "
+        "slip zone is an outer annulus. This "
+        + ("is the case at every point of the path" if nested else "is not the case at every point of the path")
+        + f". Slip of each of the {states[-1].position.size} springs is decided at the end of every step."
     )
     elastic, widest = elastic_like(bed), float(np.max(radius))
     return (

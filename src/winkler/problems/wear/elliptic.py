@@ -59,7 +59,7 @@ def _one_positive(load: Force) -> bool:
 
 @value
 class EllipticWear:
-    """Two bodies of two curvatures each, one of which slides on the other, while little is worn.
+    """Initial sliding wear of two bodies with two curvatures each.
 
     Parameters
     ----------
@@ -69,12 +69,12 @@ class EllipticWear:
 DepthGradedHalfSpace or GradedHalfSpace
         Both bodies: on homogeneous ones Hertz's ellipse, on others a map of pixels; the first one has the layers.
     wear : Archard, PairWear or OwnWear
-        How the surfaces wear.  The first body is the slider, in whose axes the contact rests; the second one has the
+        How the surfaces wear.  The first body is the slider, at rest relative to the contact. The second body has the
         track, and wears only under a PairWear.
     load : Force
         The steady normal force, one positive number.
     distance : float
-        s [m] slid, to and fro counted together.
+        s [m] slid, back and forth counted together.
     angle : float, optional
         Direction of sliding, from x towards y [rad]; along x unless given.
     passes : float, optional
@@ -233,9 +233,9 @@ class EllipticWearSolution:
     problem : EllipticWear
         The problem that was solved.
     contact : EllipticSolution
-        The contact, whose pressure hardly changes.
+        The contact, with nearly constant pressure.
     worn_depth : float
-        Greatest worn depth of the slider [m], in the middle of the ellipse.
+        Maximum worn depth of the slider [m], in the middle of the ellipse.
     worn_volume : float
         What the slider has lost [m^3].
     track_half_width : float
@@ -273,7 +273,7 @@ class EllipticWearSolution:
         return np.asarray(worn_by(self.problem.wear, self.contact.pressure(x, y))[0] * self.problem.distance)
 
     def track(self, t: ArrayLike) -> Array:
-        """Return the depth of the track on the second body after all passes [m], zero beside it.
+        """Return the depth of the track on the second body after all passes [m], zero outside it.
 
         Parameters
         ----------
@@ -292,12 +292,12 @@ class EllipticWearSolution:
 
     @property
     def track_depth(self) -> float:
-        """Greatest depth of the track on the second body [m]; zero if that one does not wear."""
+        """Maximum depth of the track on the second body [m]; zero if that one does not wear."""
         return float(self.track(0.0))
 
     @property
     def worn_share(self) -> float:
-        """Greatest worn depths of both bodies over the approach [-]."""
+        """Maximum worn depths of both bodies over the approach [-]."""
         return (self.worn_depth + self.track_depth) / float(self.contact.depth)
 
     @property
@@ -315,19 +315,22 @@ class EllipticWearSolution:
         whose = "Hertz' pressure" if isinstance(medium, HomogeneousMedium) else "The pressure of the unworn bodies"
         if offers(medium, LayerStack):
             thinned = self.worn_depth / medium.layers[0].thickness
-            lost, share = f", and the first one {thinned:.2g} of its uppermost layer", max(share, thinned)
+            lost, share = f", and that of the first body {thinned:.2g} of its uppermost layer", max(share, thinned)
         standing = standing_of(share, SMALL_WEAR, LARGE_WEAR)
         why = (
-            f"{whose} is used throughout. Both bodies have lost {self.worn_share:.2g} of the approach in the "
-            f"middle{lost}"
+            f"{whose} is used for all wear states. The total worn depth of both bodies at the centre is "
+            f"{self.worn_share:.2g} of the approach{lost}"
         )
         effect = (
-            "after which it does not hold: take a shorter distance, or SlidingWear for bodies that are round."
+            "This pressure is no longer valid: give a shorter distance, or use SlidingWear for round bodies."
             if standing is Standing.OUTSIDE
-            else "which lowers the greatest one by about as much, under slender ellipses by two or three times that."
+            else (
+                "The true maximum pressure is lower by about the same fraction, for slender ellipses by two to "
+                "three times this fraction."
+            )
         )
-        held = " Layers are taken to be held against friction." if lost else ""
-        return Note(Assumption.WEAR, standing, f"{why}, {effect}{held}", ARCHARD)
+        held = " The layers are assumed to stay in place under the friction force." if lost else ""
+        return Note(Assumption.WEAR, standing, f"{why}. {effect}{held}", ARCHARD)
 
 
 def _slid(note: Note) -> Note:

@@ -51,7 +51,7 @@ __all__ = ["FrettingSolution", "FrettingWear"]
 
 @value
 class FrettingWear(AtGoals):
-    """A contact pushed to and fro along the surface, that wears.
+    """Wear of a contact under oscillating tangential displacement.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ class FrettingWear(AtGoals):
     amplitude : Shift or ShearForce
         How far to each side, half of the whole stroke: one positive number.
     cycles : float or ndarray, (steps,)
-        After how many cycles the contact is returned; one number stands for all cycles, and 41 states up to there.
+        Numbers of cycles after which the contact is returned; one number gives 41 states up to it.
     count : int, optional
         Cells of the grid of radii.
     tolerance : float, optional
@@ -78,15 +78,15 @@ class FrettingWear(AtGoals):
     Raises
     ------
     InvalidInput
-        If a law, a load or a number is not of these kinds, or a layer is said to wear on a medium without layers.
+        If a law, a load or a number has the wrong type, or wear of a layer is requested on a medium without layers.
     OutsideValidity
-        If the medium relaxes, or a layer slides on what lies below it.
+        If the medium relaxes, or a layer slides on the material below.
 
     Notes
     -----
-    On layers and depth gradings pressures, bounds of the springs and slip are those of the normal and shear kernels of
-    the layers, as in `Tangential`; the core that sticks moves while its surroundings wear.  A layer that wears is
-    taken to respond as before, up to 5 per cent of its thickness.
+    On layers and graded bodies pressures, bounds of the springs and slip are those of the normal and shear kernels of
+    the layers, as in `Tangential`; the core that sticks moves while its surroundings wear.  A layer that wears is taken
+    to respond as before, up to 5 per cent of its thickness.
 
     References
     ----------
@@ -146,7 +146,7 @@ class FrettingWear(AtGoals):
         return laws_on(self.bed.medium, self.wear, layer_wears=self.layer_wears)
 
     def rubbed(self, grid: RoundGrid, contact: WornContact) -> RubbedContact:
-        """Return what the pressed contact does that is pushed to and fro."""
+        """Return the pressed contact under the oscillating displacement."""
         coefficient, size = self.law.coefficient, float(numbers_of(self.amplitude))
         if isinstance(self.amplitude, ShearForce):
             size = grid.shift_under(contact, coefficient, size)
@@ -178,8 +178,8 @@ class FrettingWear(AtGoals):
         Parameters
         ----------
         start : FrettingState, optional
-            A state of this problem that was yielded before, perhaps by a run that was stopped: the march goes on
-            after it, and yields the same numbers as if it had never stopped.
+            A state of this problem from an earlier, possibly interrupted run. The computation continues from it, with
+            the same numbers as without interruption.
 
         Raises
         ------
@@ -192,7 +192,7 @@ class FrettingWear(AtGoals):
         return worn_states(self, start, lambda: fretting_nodes(self), everywhere=False)
 
     def state(self, moment: WearMoment) -> FrettingState:
-        """Return what is known of the contact."""
+        """Return the validity notes of the contact."""
         contact, touching, common = pressed_moment(self, moment)
         grid = wear_grid(self.bed, moment.nodes)
         rubbed = self.rubbed(grid, contact)
@@ -239,7 +239,7 @@ class FrettingSolution:
     shift, shear_force : ndarray, (steps,)
         Amplitudes [m], [N].
     worn_depth : ndarray, (steps,)
-        Greatest worn depth [m], of both bodies together.
+        Maximum worn depth [m], of both bodies together.
     worn_volume, first_volume, second_volume : ndarray, (steps,)
         What both bodies and each of them have lost [m^3].
     loss_per_cycle : ndarray, (steps,)

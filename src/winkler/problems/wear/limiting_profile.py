@@ -56,7 +56,7 @@ ONE_SHIFT = Condition(
 
 @value
 class LimitingProfile:
-    """The shape and the contact in which fretting wear ends, under a steady depth and a steady amplitude.
+    """The final profile and contact of fretting wear at constant depth and amplitude.
 
     Parameters
     ----------
@@ -76,9 +76,10 @@ class LimitingProfile:
 
     Notes
     -----
-    On layers and depth gradings the core is that of their normal and shear kernels. Where what sticks before wear would
-    slip at the edge of a core that bears alone, the core shrinks to where it does not; where it would not, the core
-    grows while its surroundings wear, by how much depends on the law, and the one before wear is taken.
+    On layers and graded bodies the stick zone follows from their normal and shear kernels. Where the stick zone before
+    wear would slip at the edge of a stick zone that carries the whole load, the stick zone shrinks to where it does
+    not; where it would not, the stick zone grows while its surroundings wear, by how much depends on the law, and the
+    one before wear is taken.
 
     References
     ----------
@@ -126,9 +127,9 @@ class LimitingProfile:
         Raises
         ------
         OutsideValidity
-            If everything slips, or on layers the core shrinks to nothing: such a contact wears without end.  If nothing
-            slips.  If a layer slides on what lies below it.  If the worn contact ends beyond what is known of the
-            profile.
+            If everything slips, or on layers the stick zone shrinks to zero: such a contact wears without end.  If
+            nothing slips.  If a layer slides on the material below.  If the worn contact ends beyond the known range of
+            the profile.
         """
         contact = self.contact
         depth, radius = float(self.normal.depth), float(contact.radius)
@@ -193,7 +194,7 @@ class LimitingSolution:
     problem : LimitingProfile
         The problem that was solved.
     core : StretchedSprings
-        The springs that bear.
+        The springs in contact.
     radius : float
         a_inf [m], where the worn part ends.
     """
@@ -211,12 +212,12 @@ class LimitingSolution:
 
     @property
     def stick_radius(self) -> float:
-        """c [m]: it bears everything in the end."""
+        """c [m]: the final stick zone, which carries the whole load."""
         return self.core.radius
 
     @property
     def force(self) -> float:
-        """F_N [N], that of the core."""
+        """F_N [N], that of the stick zone."""
         bed, c = self.problem.bed, np.array([self.core.radius])
         return float(bed.stiffness(c)[0] * self.core.depth - bed.gap_load(c)[0])
 
@@ -233,7 +234,7 @@ class LimitingSolution:
 
     @property
     def worn_depth(self) -> float:
-        """The greatest worn depth [m]."""
+        """The maximum worn depth [m]."""
         r = self.core.radius + (self.radius - self.core.radius) * np.linspace(0.0, 1.0, SAMPLES) ** 2
         return float(np.max(self.worn(r)))
 
@@ -248,13 +249,13 @@ class LimitingSolution:
         Returns
         -------
         ndarray
-            f(r) [m], that before wear within the core and beyond the worn part.
+            f(r) [m], that before wear within the stick zone and beyond the worn part.
         """
         r = np.asarray(r, dtype=float)
         return np.asarray(self.problem.bed.height(r) + self.worn(r))
 
     def worn(self, r: Array) -> Array:
-        """Worn depth [m] at distances from the axis [m]; zero within the core and beyond the worn part."""
+        """Worn depth [m] at distances from the axis [m]; zero within the stick zone and beyond the worn part."""
         r = np.asarray(r, dtype=float)
         ring = (r > self.core.radius) & (r < self.radius)
         worn = np.zeros(r.shape)
@@ -274,7 +275,7 @@ class LimitingSolution:
         Returns
         -------
         ndarray
-            p [Pa], zero outside the core, infinite at its edge.
+            p [Pa], zero outside the stick zone, infinite at its edge.
         """
         return self.problem.bed.medium.pressure(self.core, np.asarray(r, dtype=float))
 

@@ -52,7 +52,7 @@ LONGER = 1.1
 
 @value
 class LineFrettingWear(AtGoals):
-    """A line contact that is sheared to and fro, and wears.
+    """Wear of a line contact under oscillating tangential displacement.
 
     Parameters
     ----------
@@ -68,11 +68,11 @@ class LineFrettingWear(AtGoals):
         How far the shear force per length swings to each side, one positive number; less than slides everything.
         Half-planes have no shift to prescribe: it grows without bound with their size.
     cycles : float or ndarray, (steps,)
-        After how many cycles the contact is returned; one number stands for all cycles, and 41 states up to there.
+        Numbers of cycles after which the contact is returned; one number gives 41 states up to it.
     count : int, optional
         Cells of the grid of places on one side.
     tolerance : float, optional
-        Error of the worn depth in one jump over many cycles, over the greatest one in the end.
+        Error of the worn depth in one jump over many cycles, over the largest one in the end.
     layer_wears : bool, optional
         Of a medium with layers, and one law of wear: whether its uppermost layer wears. Left out, the other body does;
         under a PairWear both do, the layer by its first law.
@@ -80,9 +80,9 @@ class LineFrettingWear(AtGoals):
     Raises
     ------
     InvalidInput
-        If a law, a force or a number is not of these kinds, or a layer is said to wear on a medium without layers.
+        If a law, a force or a number has the wrong type, or wear of a layer is requested on a medium without layers.
     OutsideValidity
-        If a layer slides on what lies below it, or the bodies relax.
+        If a layer slides on the material below, or the bodies are viscoelastic.
 
     Notes
     -----
@@ -152,7 +152,7 @@ class LineFrettingWear(AtGoals):
 
     @property
     def most_worn(self) -> float:
-        """Greatest worn depth in the end [m]; infinite if nothing slips."""
+        """Final maximum worn depth [m]; infinite if nothing slips."""
         return _end_of_wear(self).depth
 
     def slipped(self, grid: StripGrid, contact: WornContact) -> Array:
@@ -160,7 +160,7 @@ class LineFrettingWear(AtGoals):
         return 4.0 * self._rubbed(grid, contact).slip
 
     def refuse(self, contact: WornContact, elapsed: float) -> None:
-        """Refuse to wear much of a layer; whether the bodies slide away is known before."""
+        """Raise an error if much of a layer would wear."""
         if layer_loses(self.bed.medium, self.wear, layer_wears=self.layer_wears):
             refuse_thin("LineFrettingWear", self.bed.medium, contact.worn_depth, f"{elapsed:.4g} cycles")
 
@@ -177,21 +177,21 @@ class LineFrettingWear(AtGoals):
         Parameters
         ----------
         start : LineFrettingState, optional
-            A state of this problem that was yielded before, perhaps by a run that was stopped: the march goes on
-            after it, and yields the same numbers as if it had never stopped.
+            A state of this problem from an earlier, possibly interrupted run. The computation continues from it, with
+            the same numbers as without interruption.
 
         Raises
         ------
         OutsideValidity
-            If friction does not bear the shear force, the bodies touch in several strips, or wear ends beyond what is
-            known of the profile.
+            If the shear force exceeds the friction limit, the bodies touch in several strips, or wear exceeds the known
+            range of the profile.
         NotConverged
             If jumps become too short.
         """
         return worn_states(self, start, self._nodes, everywhere=False)
 
     def state(self, moment: WearMoment) -> LineFrettingState:
-        """Return what is known of the contact."""
+        """Return the validity notes of the contact."""
         contact, touching, common = pressed_moment(self, moment)
         grid = wear_grid(self.bed, moment.nodes)
         rubbed = self._rubbed(grid, contact)
@@ -253,7 +253,7 @@ class LineFrettingSolution:
     force_per_length, half_width, stick_half_width : ndarray, (steps,)
         P [N/m], a [m], c [m].
     worn_depth : ndarray, (steps,)
-        Greatest worn depth [m], of both bodies together.
+        Maximum worn depth [m], of both bodies together.
     worn_volume_per_length, first_volume_per_length, second_volume_per_length : ndarray, (steps,)
         What both bodies and each of them have lost, per length of the line [m^2].
     dissipation_per_length : ndarray, (steps,)

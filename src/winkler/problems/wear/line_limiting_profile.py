@@ -50,7 +50,7 @@ SAMPLES = 513
 
 @value
 class LineLimitingProfile:
-    """The shape and the contact in which fretting wear of a line contact ends.
+    """The final profile and contact of fretting wear in a line contact.
 
     Parameters
     ----------
@@ -68,13 +68,14 @@ class LineLimitingProfile:
     InvalidInput
         If the bed, the law or the forces are not of these kinds.
     OutsideValidity
-        If a layer slides on what lies below it, or the bodies relax.
+        If a layer slides on the material below, or the bodies are viscoelastic.
 
     Notes
     -----
-    On layers the core is that of their responses to pressure and to shear. Where what sticks before wear would slip at
-    the edge of a core that bears alone, the core shrinks to where it does not; where it would not, the core grows while
-    its surroundings wear, by how much depends on the law, and the one before wear is taken.
+    On layers the stick zone follows from their responses to pressure and to shear. Where the stick zone before wear
+    would slip at the edge of a stick zone that carries the whole load, the stick zone shrinks to where it does not;
+    where it would not, the stick zone grows while its surroundings wear, by how much depends on the law, and the one
+    before wear is taken.
 
     References
     ----------
@@ -124,8 +125,8 @@ class LineLimitingProfile:
         Raises
         ------
         OutsideValidity
-            If everything slips: such a contact has no core, and wears without end.  If nothing slips.  If the worn
-            contact ends beyond what is known of the profile.
+            If everything slips: such a contact has no stick zone, and wears without end.  If nothing slips.  If the
+            worn contact ends beyond the known range of the profile.
         """
         core = stuck_core("LineLimitingProfile", self.bed, self.law, self.normal, self.amplitude)
         if core.half_width >= self.bed.rim:
@@ -143,9 +144,9 @@ class LineLimitingSolution(Stressed):
     problem : LineLimitingProfile
         The problem that was solved.
     stick_half_width : float
-        c [m]: this core bears everything in the end.
+        c [m]: the final stick zone, which carries the whole load.
     excess_load : float
-        Load per length over E* that the core bears as a flat punch [m].
+        Load per length over E* of the stick zone as a flat punch [m].
     half_width : float
         a_inf [m], where the worn part ends.
     """
@@ -181,12 +182,13 @@ class LineLimitingSolution(Stressed):
 
     @property
     def worn_depth(self) -> float:
-        """The greatest worn depth [m]."""
+        """The maximum worn depth [m]."""
         c, end = self.stick_half_width, self.half_width
         return float(np.max(self.worn(c + (end - c) * np.linspace(0.0, 1.0, SAMPLES) ** 2)))
 
     def worn(self, x: ArrayLike) -> Array:
-        """Return the worn depth [m] at places [m], of both bodies together: zero within the core and beyond the end.
+        """Return the worn depth [m] at places [m], of both bodies together: zero within the stick zone and beyond the
+        end.
 
         Parameters
         ----------
@@ -212,7 +214,7 @@ class LineLimitingSolution(Stressed):
         return np.asarray(self.problem.bed.profile.height(away) + self.worn(away))
 
     def pressure(self, x: ArrayLike) -> Array:
-        """Return the pressure in the end [Pa]: zero outside the core, infinite at its edge.
+        """Return the pressure in the end [Pa]: zero outside the stick zone, infinite at its edge.
 
         Parameters
         ----------
@@ -232,4 +234,4 @@ class LineLimitingSolution(Stressed):
 
 @value
 class LayeredLineLimitingSolution(StressedOnLayers, LineLimitingSolution):
-    """The solution of a `LineLimitingProfile` on layers, whose stresses are those in the layers."""
+    """The solution of a `LineLimitingProfile` on layers, with stresses in the layers."""

@@ -42,24 +42,25 @@ ONE_BODY = Advice("the law of the body that stays in contact; where both wear in
 
 @value
 class LineSlidingWear(OfDistance):
-    """A cylindrical body that slides across its line under a steady load, and wears.
+    """Wear of a cylindrical body that slides perpendicular to its axis under a steady load.
 
     Parameters
     ----------
     bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
         Profile and bodies before wear, homogeneous or layered.
     wear : Archard or OwnWear
-        How the body that stays in contact wears: the one with the profile, on a track much longer than the contact.
+        Law of wear of the body that stays in contact: the one with the profile, on a track much longer than the
+        contact.
     normal : LineForce
         The steady normal force per length, one positive number.
     distance : float or ndarray, (steps,)
-        After which distances slid [m] the contact is returned, to and fro counted together; one number stands for the
-        whole distance, and 41 states up to there.
+        Sliding distances [m] after which the contact is returned, summed over both directions; one number gives 41
+        states up to it.
     count : int, optional
         Cells of the grid of places on one side.
     tolerance : float, optional
-        Error of the worn depth in one jump, over the load per length over E*; once the pressure has settled, over that
-        and the greatest worn depth together.
+        Error of the worn depth in one jump, over the load per length over E*. Once the pressure is steady, it is
+        relative to the sum of this and the maximum worn depth.
     layer_wears : bool, optional
         Of a medium with layers: whether its uppermost layer wears, as on a coated roller that slides on a flat. Left
         out, the other body wears.
@@ -148,8 +149,8 @@ class LineSlidingWear(OfDistance):
         Parameters
         ----------
         start : LineWearState, optional
-            A state of this problem that was yielded before: the march goes on after it, and yields the same numbers as
-            if it had never stopped.
+            A state of this problem from an earlier run. The computation continues from it, with the same numbers as
+            without interruption.
 
         Raises
         ------
@@ -161,7 +162,7 @@ class LineSlidingWear(OfDistance):
         return worn_states(self, start, self._nodes, everywhere=True)
 
     def state(self, moment: WearMoment) -> LineWearState:
-        """Return what is known of the contact."""
+        """Return the validity notes of the contact."""
         contact, touching, common = pressed_moment(self, moment)
         return LineWearState(**common, places=moment.nodes, force_per_length=contact.force, half_width=touching)
 
@@ -199,7 +200,7 @@ class LineSlidingSolution:
     mean_pressure : ndarray, (steps,)
         P / (2 a) [Pa].
     worn_depth : ndarray, (steps,)
-        Greatest worn depth [m].
+        Maximum worn depth [m].
     worn_volume_per_length : ndarray, (steps,)
         What was lost, per length of the line [m^2].
     states : tuple of LineWearState

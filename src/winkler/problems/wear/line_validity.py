@@ -38,15 +38,15 @@ Bed = LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
 WORN_SLIP = Note(
     Assumption.SLIP,
     Standing.EXACT,
-    "Similar bodies slip by the coefficient of friction times the distance that the contact under the load "
-    "P - Q/mu leaves open beside it, for a worn profile too.",
+    "For similar bodies slip is the coefficient of friction times a gap: that beside the contact under the load "
+    "P - Q/mu. This holds for a worn profile too.",
     SLIP_SUMS.source,
 )
 LAYERS_SLIP = Note(
     Assumption.SLIP,
     Standing.EXACT,
-    "Pressures, tractions and slip follow from the flat punches of the layers under pressure and under shear along x, "
-    "for a worn profile too.",
+    "Pressures, tractions and slip follow from flat punches on the layers under pressure and under shear along "
+    "x, for a worn profile too.",
     "the same strips as loads and flat punches, compared with integral equations of one strip",
 )
 

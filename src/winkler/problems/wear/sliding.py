@@ -38,7 +38,7 @@ ONE_BODY = Advice("the law of the body that stays in contact; where both wear, u
 
 @value
 class SlidingWear(OfDistance):
-    """A body that slides under a steady load, and wears.
+    """Wear of a body that slides under a steady load.
 
     Parameters
     ----------
@@ -49,13 +49,13 @@ class SlidingWear(OfDistance):
     normal : Depth or Force
         The steady normal load, one positive number.
     distance : float or ndarray, (steps,)
-        After which distances slid [m] the contact is returned, to and fro counted together; one number stands for the
-        whole distance, and 41 states up to there.
+        Sliding distances [m] after which the contact is returned, summed over both directions; one number gives 41
+        states up to it.
     count : int, optional
         Cells of the grid of radii.
     tolerance : float, optional
-        Error of the worn depth in one jump, over the depth of the springs; once the pressure has settled, over how far
-        the bodies have come together, wear included.
+        Error of the worn depth in one jump, over the depth of the springs. Once the pressure is steady, it is relative
+        to the approach of the bodies including wear.
     layer_wears : bool, optional
         Of a medium with layers: whether its uppermost layer wears, as on a coated ball that slides on a flat. Left out,
         the other body wears, as a pin does on a coated disc.
@@ -65,13 +65,13 @@ class SlidingWear(OfDistance):
     InvalidInput
         If a law, a load or a number is not of these kinds, or `layer_wears` is True on a medium without layers.
     OutsideValidity
-        If the medium relaxes, or no pressure is known for it.
+        If the medium is viscoelastic, or has no known pressure.
 
     Notes
     -----
-    On layers and depth gradings pressures are those of the springs' flat punches superposed, as in `Indentation`.
-    A layer that wears is taken to respond as before; `steps` refuses to go on when 5 per cent of its thickness are
-    gone, and `validity` states how much stiffer or softer a layer would be that is thinner all over.
+    On layers and graded bodies pressures are those of the springs' flat punches superposed, as in `Indentation`. A
+    layer that wears is taken to respond as before; `steps` refuses to go on when 5 per cent of its thickness are gone,
+    and `validity` states how much stiffer or softer a layer would be that is thinner all over.
 
     References
     ----------
@@ -126,7 +126,7 @@ class SlidingWear(OfDistance):
         return laws_on(self.bed.medium, self.wear, layer_wears=self.layer_wears)
 
     def refuse(self, contact: WornContact, elapsed: float) -> None:
-        """Refuse to wear more than a small part of a layer; else sliding goes on."""
+        """Raise an error if more than a small part of a layer would wear."""
         if self.layer_wears:
             refuse_thin("SlidingWear", self.bed.medium, contact.worn_depth, f"{elapsed:.4g} m of sliding")
 
@@ -136,21 +136,21 @@ class SlidingWear(OfDistance):
         Parameters
         ----------
         start : WearState, optional
-            A state of this problem that was yielded before: the march goes on after it, and yields the same numbers as
-            if it had never stopped.
+            A state of this problem from an earlier run. The computation continues from it, with the same numbers as
+            without interruption.
 
         Raises
         ------
         OutsideValidity
-            If the bodies do not touch, or the contact outgrows the profile, or more than 5 per cent of a layer is worn
-            off, at that step.
+            If the bodies do not touch, the contact exceeds the profile, or more than 5 per cent of a layer is worn off.
+            The error is raised at that step.
         NotConverged
             If jumps become too short.
         """
         return worn_states(self, start, lambda: round_nodes(self), everywhere=True)
 
     def state(self, moment: WearMoment) -> WearState:
-        """Return what is known of the contact."""
+        """Return the validity notes of the contact."""
         contact, touching, common = pressed_moment(self, moment)
         return WearState(
             **common, radii=moment.nodes, depth=contact.depth, force=contact.force, radius=touching
@@ -188,7 +188,7 @@ class SlidingSolution:
     depth, force, radius : ndarray, (steps,)
         d [m], F_N [N], a [m].
     worn_depth : ndarray, (steps,)
-        Greatest worn depth [m].
+        Maximum worn depth [m].
     worn_volume : ndarray, (steps,)
         What was lost [m^3].
     states : tuple of WearState

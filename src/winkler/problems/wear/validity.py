@@ -50,8 +50,8 @@ UNWORN = 1e-9
 DEBRIS = Note(
     Assumption.WEAR,
     Standing.APPROXIMATE,
-    "Debris leaves the contact at once and the law of wear never changes; a layer of debris or oxide bears and slips "
-    "by itself, and is not described.",
+    "Debris is assumed to leave the contact at once, and the law of wear not to change. A layer of debris or "
+    "oxide that carries load and slips is not modelled.",
     "assumption of the law of wear",
 )
 
@@ -60,22 +60,25 @@ def slip_note(bed: Bed) -> Note:
     """Return the note on the slip of a fretting contact."""
     bodies = (bed.medium.first, bed.medium.second) if isinstance(bed.medium, HalfSpace) else ()
     if bodies and max(body.poisson for body in bodies if isinstance(body, Elastic)) == 0.0:
-        slip = "Slip is parallel to the motion and the same all around the axis, as without lateral contraction."
+        slip = "Slip is axisymmetric and parallel to the motion, because Poisson's ratio is zero."
         return Note(Assumption.SLIP, Standing.EXACT, slip, JOHNSON)
     slip = (
-        "Slip is taken to be parallel to the motion and the same all around the axis (Cattaneo-Mindlin): with lateral "
-        "contraction the worn profile would not be quite round."
+        "Slip is assumed axisymmetric and parallel to the motion (Cattaneo-Mindlin). If Poisson's ratio is not "
+        "zero, the true worn profile is not quite round."
     )
     if offers(bed.medium, PressedWaves):
-        slip += " Within that, pressures, tractions and slip follow from the normal and shear kernels of the layers."
+        slip += (
+            " Under this assumption pressures, tractions and slip follow from the normal and shear kernels of "
+            "the layers."
+        )
     return Note(Assumption.SLIP, Standing.APPROXIMATE, slip, JOHNSON)
 
 
 SLIDES_EVERYWHERE = Note(
     Assumption.WEAR,
     Standing.APPROXIMATE,
-    "Every point of the contact slides the whole distance, as on a body that stays in contact. Wear of the other "
-    "body is spread along a track of many contact lengths, and is not included.",
+    "Every point of the contact slides over the whole distance. This applies to a body that stays in contact. "
+    "The other body wears along a track of many contact lengths; its wear is not included.",
     "assumption of gross sliding",
 )
 
@@ -85,8 +88,8 @@ def core_note(source: str) -> Note:
     return Note(
         Assumption.WEAR,
         Standing.EXACT,
-        "The limiting profile does not depend on the law of wear. The pressure is infinite at the edge of the stick "
-        "zone, where a real one yields or cracks.",
+        "The limiting profile does not depend on the law of wear. The pressure is infinite at the edge of the "
+        "stick zone; a real edge yields or cracks.",
         source,
     )
 
@@ -105,8 +108,8 @@ def resolution_note(last: WornState, tolerance: float, scale: str) -> Note:
     return Note(
         Assumption.RESOLUTION,
         Standing.APPROXIMATE,
-        f"The worn profile is known at {last.nodes.size} places; each jump errs by at most {tolerance:.0e} of the "
-        f"{scale}. Take a finer grid or a smaller tolerance to see what that changes.",
+        f"The worn profile is known at {last.nodes.size} places; the error of each jump is at most "
+        f"{tolerance:.0e} of the {scale}. Use a finer grid or a smaller tolerance to see the effect.",
         DIMAKI,
     )
 
@@ -140,15 +143,19 @@ def moved_core_note(first: float, alone: float, follow: str) -> Note:
     """
     grows = alone > first * (1.0 + SAME_CORE)
     fate = (
-        f"grows while its surroundings wear, to less than {alone:.4g} m. How far depends on the law of wear; the "
-        f"stick zone before wear was used. {follow} computes its growth."
+        f"grows while its surroundings wear, to less than {alone:.4g} m. Its final half-width depends on the law "
+        f"of wear; the stick zone before wear was used. {follow} computes its growth."
         if grows
-        else f"shrinks while its surroundings wear, to {min(first, alone):.4g} m, where it sticks as it bears alone."
+        else (
+            f"shrinks while its surroundings wear, to {min(first, alone):.4g} m. At this half-width it carries "
+            "the whole load without slip."
+        )
     )
     return Note(
         Assumption.SLIP,
         Standing.APPROXIMATE if grows else Standing.EXACT,
-        f"With the normal and shear kernels of the layers the stick zone has {first:.4g} m before wear. It {fate}",
+        "With the normal and shear kernels of the layers the half-width of the stick zone before wear is "
+        f"{first:.4g} m. The stick zone {fate}",
         "what a spring on layers bears before it slides depends on the pressure outside of it",
     )
 
@@ -178,16 +185,22 @@ def slip_grid_note(found: float, expected: float, share: float) -> tuple[Note, .
     share : float
         Amplitude of the shear force before wear, over the force at which everything slides [-].
     """
-    lost = f"The shear force reaches {share:.2g} of the sliding friction before wear, and slip and wear are rounding"
+    lost = (
+        f"The shear force is {share:.2g} of the sliding force before wear; slip and wear are of the order of "
+        "rounding errors"
+    )
     if 0.0 < share < LEAST_SHARE or found > expected == 0.0:
         return (Note(Assumption.RESOLUTION, Standing.OUTSIDE, f"{lost}; give a larger amplitude.", DIMAKI),)
     if not expected > 0.0:
         return ()
     error = found / expected - 1.0
     more = "more" if error > 0.0 else "less"
-    text = f"In a cycle before wear the grid loses {100.0 * abs(error):.2g} per cent {more} than springs of no width do"
+    text = (
+        f"In a cycle before wear the grid dissipates {100.0 * abs(error):.2g} per cent {more} than infinitely "
+        "fine springs"
+    )
     if abs(error) > FINE_SLIP:
-        text += ": the place that slips is narrow, and wears by so much too fast or too slowly; take more cells"
+        text += ": the slip zone is narrow, and its wear rate has this error; use more cells"
     return (
         Note(Assumption.RESOLUTION, standing_of(abs(error), FINE_SLIP, COARSE_SLIP), f"{text}.", DIMAKI, abs(error)),
     )
@@ -208,7 +221,7 @@ def worn_yield(medium: object, states: Sequence[WornState]) -> tuple[Note, ...]:
     if states and parts:
         least = min(part.solid.strength for part in parts)
         share = max(float(np.max(state.pressure)) for state in states) / least
-        fact = f"The greatest mean pressure about a node is {share:.3g} of the least strength."
+        fact = f"The maximum mean pressure at a node is {share:.3g} of the smallest strength."
     return unknown_yield(medium, "the stresses under the worn profile are not computed", fact)
 
 
@@ -246,8 +259,8 @@ def edge_notes(last: WornState) -> tuple[Note, ...]:
         return ()
     excess = float(np.max(last.pressure)) / last.mean_pressure
     stated = (
-        f"In the last state the greatest pressure about a node is {excess:.3g} of the mean. A node that the edge of a "
-        "growing contact has just reached may bear about twice the mean until its corner is worn off; where the "
-        "contact ends is known to within a node."
+        f"In the last state the maximum pressure at a node is {excess:.3g} of the mean. A node at the edge of a "
+        "growing contact may carry about twice the mean pressure until its corner is worn off. The position of "
+        "the edge has an error of one node."
     )
     return (Note(Assumption.RESOLUTION, Standing.APPROXIMATE, stated, "the shape is straight in x^2 between nodes"),)

@@ -145,8 +145,8 @@ def layer_notes(
         yield Note(
             Assumption.WEAR,
             Standing.OUTSIDE,
-            f"The layers bend away from the body: it would have to pull with {pulled:.2g} of the load, and was taken "
-            "to bear nothing there. Too much is worn off by that part.",
+            f"The layers separate from the body inside the assumed contact. Tension of {pulled:.2g} of the load "
+            "was set to zero there, so the wear is too large by this fraction.",
             "a contact that parts inside is not solved",
         )
 
@@ -192,9 +192,9 @@ def _coarse(pressure: Array, missed: Array) -> Iterator[Note]:
         yield Note(
             Assumption.RESOLUTION,
             standing_of(error, SMALL_MISS, LARGE_MISS),
-            f"Before wear the mean pressures about the nodes of the grid of {pressure.size - 1} cells differ by up "
-            f"to {100.0 * error:.2g} per cent of the greatest from those of the layers. A layer that is much stiffer "
-            "than its base takes cells that are small against its thickness: give more cells (count).",
+            f"Before wear the mean pressures at the nodes differ by up to {100.0 * error:.2g} per cent of the "
+            f"maximum from those of the layers (grid of {pressure.size - 1} cells). A layer much stiffer than its "
+            "base needs cells small compared with its thickness: give more cells (count).",
             "flat punches superposed, without a grid",
             error,
         )
@@ -203,7 +203,7 @@ def _coarse(pressure: Array, missed: Array) -> Iterator[Note]:
 OTHER_WEARS = Note(
     Assumption.WEAR,
     Standing.APPROXIMATE,
-    "The body without layers wears; the layers are taken to stay as they are, and to be held against friction.",
+    "Only the body without layers wears. The layers are assumed unworn, and to stay in place under the friction force.",
     "assumption of a counterbody that does not wear",
 )
 
@@ -217,9 +217,10 @@ def _thinned(medium: Any, last: WornState) -> Note:
     return Note(
         Assumption.WEAR,
         standing_of(abs(change), SMALL_CHANGE, LARGE_CHANGE),
-        f"The uppermost layer loses up to {100.0 * share:.2g} per cent of its thickness and is taken to respond as "
-        f"before; were it thinner by that all over, the contact would be {100.0 * abs(change):.2g} per cent "
-        f"{'stiffer' if change > 0.0 else 'softer'}. The other body is taken not to wear.",
+        f"The maximum wear of the uppermost layer is {100.0 * share:.2g} per cent of its thickness; its initial "
+        "thickness is used for the elastic response. If the layer were thinner by this amount everywhere, the "
+        f"contact would be {100.0 * abs(change):.2g} per cent {'stiffer' if change > 0.0 else 'softer'}. The "
+        "other body is assumed not to wear.",
         MODEL,
     )
 

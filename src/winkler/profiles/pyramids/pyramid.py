@@ -110,11 +110,12 @@ class PyramidShape(PowerPieces):
             Note(
                 Assumption.SHAPE,
                 Standing.APPROXIMATE,
-                f"The pyramid of {self.sides} faces is replaced by the cone with its force (half-angle "
-                f"{math.degrees(self.half_angle):.2f} deg). On a homogeneous half-space, force, depth, stiffness and "
-                "energy are those of the pyramid within 1e-5. The radius is that of a round contact as stiff; the "
-                f"contact of the pyramid has {share:.1%} of its area and reaches from {near:.2f} (across a face) to "
-                f"{far:.2f} (along an edge) of that radius. Pressures, stresses and adhesion are those of the cone.",
+                f"The pyramid of {self.sides} faces is replaced by the cone with the same force (half-angle "
+                f"{math.degrees(self.half_angle):.2f} deg). On a homogeneous half-space, force, depth, stiffness "
+                "and energy of both agree within 1e-5. The radius is that of a round contact of equal stiffness. "
+                f"The contact of the pyramid has {share:.1%} of its area. Its edge lies between {near:.2f} "
+                f"(across a face) and {far:.2f} (along an edge) of that radius. Pressures, stresses and adhesion "
+                "are those of the cone.",
                 CONSTANTS,
             ),
         )
@@ -131,15 +132,15 @@ class Pyramid(PyramidShape):
     sides : int
         Number of faces, 3 to 8.
     face_angle : float
-        Angle between axis and face [rad], between 0 and pi/2, in the plane through the axis that is perpendicular to
-        the edge of the base: half of the angle between opposite faces.  65.27 degrees of a (modified) Berkovich tip, 68
-        of Vickers, 35.26 of a cube corner, and of pyramids moulded in pits etched into silicon, of which makers of
-        cantilevers state 35.  Of the angle between face and base plane it is the rest to 90 degrees.
+        Angle between axis and face [rad], between 0 and pi/2: half of the angle between opposite faces. It is measured
+        in the plane through the axis perpendicular to the edge of the base.  65.27 degrees for a (modified) Berkovich
+        tip, 68 for Vickers, 35.26 for a cube corner. Pyramids moulded in etched pits of silicon have 35.26 too; makers
+        of cantilevers state 35.  Of the angle between face and base plane it is the rest to 90 degrees.
 
     See Also
     --------
-    PyramidByEdges : the same, given by the angle between axis and edges.
-    Vickers, Berkovich, CubeCorner : the cones of equal cross-section, which bear 2.6 and 7.2 % less.
+    PyramidByEdges : the same, given by the angle between axis and edges. the cones of equal cross-section, with 2.6 and
+    7.2 % less force.
 
     References
     ----------

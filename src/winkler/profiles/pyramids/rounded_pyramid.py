@@ -52,7 +52,7 @@ LARGEST_ERROR = 3e-4
 
 @value
 class RoundedPyramid(PowerPieces):
-    """A pyramid of three or four faces whose apex and edges are rounded: a blunt AFM tip.
+    """A pyramid of three or four faces with rounded apex and edges: a blunt AFM tip.
 
     Force, depth and stiffness on a homogeneous half-space are those of the pyramid within 0.03 %, from the paraboloid
     at the apex to the sharp pyramid far above.
@@ -120,16 +120,16 @@ class RoundedPyramid(PowerPieces):
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """What the body of revolution has of the pyramid, and what it has not."""
+        """Properties of the pyramid that the body of revolution represents, and those that it does not."""
         return (
             Note(
                 Assumption.SHAPE,
                 Standing.APPROXIMATE,
-                f"The rounded pyramid of {self.sides} faces is replaced by the body of revolution with its force. On "
-                "a homogeneous half-space, force, depth, stiffness and energy are those of the pyramid within "
-                f"{LARGEST_ERROR:.2%}. The radius is that of a round contact as stiff; contacts wider than "
-                f"{self.blend_radius:.3g} m are not round. Pressures, stresses and adhesion are those of the body of "
-                "revolution.",
+                f"The rounded pyramid of {self.sides} faces is replaced by the body of revolution with the same "
+                "force. On a homogeneous half-space, force, depth, stiffness and energy of both agree within "
+                f"{LARGEST_ERROR:.2%}. The radius is that of a round contact of equal stiffness; contacts wider "
+                f"than {self.blend_radius:.3g} m are not round. Pressures, stresses and adhesion are those of the "
+                "body of revolution.",
                 CONSTANTS,
             ),
         )

@@ -24,7 +24,7 @@ DIRECTIONS = 180
 
 @value
 class CorrelationLengths:
-    """Over which distances the heights of a map are correlated (ISO 25178-2).
+    """Autocorrelation lengths of a height map (ISO 25178-2).
 
     Parameters
     ----------
@@ -49,14 +49,16 @@ class CorrelationLengths:
 
     @property
     def aspect(self) -> float:
-        """Shortest over longest [-], Str: near 1 of isotropic surfaces, 0 of grooves; nan if nothing falls."""
+        """Shortest over longest correlation length [-], Str: near 1 for isotropic surfaces, 0 for grooves; nan if no
+        correlation decays.
+        """
         return self.shortest / self.longest if math.isfinite(self.shortest) else math.nan
 
 
 def correlation_lengths(surface: Topography) -> CorrelationLengths:
     """Return over which distances the heights of a map are correlated, in 180 directions.
 
-    Take off its trend first: ``surface.detrended(1)``.  Missing heights are left out.  On a map of few hills in either
+    Take off its trend first: ``surface.detrended(1)``.  Missing heights are omitted.  On a map of few hills in either
     direction the numbers are those of these hills.
 
     Parameters

@@ -45,7 +45,7 @@ class LineScan:
     heights : array_like, (n,)
         Heights there [m], up.
     missing : int, optional
-        Number of points of the file without a height, which were left out.
+        Number of points of the file without a height, which were omitted.
 
     Raises
     ------
@@ -76,7 +76,7 @@ class LineScan:
 
     @staticmethod
     def measured(position: Array, heights: Array) -> LineScan:
-        """Return the scan of a file, without the points whose height is nan or a number that marks a missing one.
+        """Return the scan of a file, without points whose height is nan or marked as missing.
 
         Parameters
         ----------

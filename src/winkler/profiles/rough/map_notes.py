@@ -45,7 +45,7 @@ def map_notes(surface: Topography) -> tuple[Note, ...]:
             Note(
                 Assumption.RESOLUTION,
                 Standing.APPROXIMATE,
-                f"Taken out of the measured heights{bridged}: {surface.removed}.",
+                f"Removed from the measured heights{bridged}: {surface.removed}.",
                 "J. W. Tukey, Exploratory Data Analysis, Addison-Wesley 1977",
             )
         )
@@ -55,8 +55,8 @@ def map_notes(surface: Topography) -> tuple[Note, ...]:
             Note(
                 Assumption.RESOLUTION,
                 Standing.OUTSIDE,
-                f"The map is said to be periodic. But heights leap at its border by {leap:.2g} times the greatest "
-                "step between two of its lines: what is repeated has a cliff there; leave periodic out.",
+                f"The map is declared periodic, but heights at its border jump by {leap:.2g} times the largest "
+                "step between two of its lines. The periodic continuation has a cliff there: leave periodic out.",
                 "comparison of steps inside and at the border",
             )
         )
@@ -68,15 +68,15 @@ def _tip_note(surface: Topography) -> Note:
     limit = tip_limit(surface)
     if limit == 0.0:
         return Note(
-            Assumption.RESOLUTION, Standing.ASYMPTOTIC, f"The map is nowhere half as sharp as {radius}.", SANNER
+            Assumption.RESOLUTION, Standing.ASYMPTOTIC, f"No part of the map is half as sharp as {radius}.", SANNER
         )
     share = share_below(surface, limit)
     whole = limit >= 0.5 * float(np.min(surface.lengths))
     return Note(
         Assumption.RESOLUTION,
         Standing.OUTSIDE if whole else standing_of(share, SMALL_SHARE, LARGE_SHARE),
-        f"Below {limit:.3g} m, {limit / max(surface.pixel):.2g} pixels, {radius} has rounded the map; "
-        f"{max(share, 0.0):.0%} of the mean square slope is of such waves. Contacts, pressures and adhesion of spots "
-        "that small are not those of the surface.",
+        f"Below {limit:.3g} m, {limit / max(surface.pixel):.2g} pixels, {radius} has rounded the map. Waves of "
+        f"this length have {max(share, 0.0):.0%} of the mean square slope. Contacts, pressures and adhesion of "
+        "such small spots are not those of the surface.",
         SANNER,
     )

@@ -21,7 +21,7 @@ __all__ = ["MapStatistics", "bearing_heights", "correlation_length", "map_statis
 
 @value
 class MapStatistics:
-    """Numbers by which surfaces are compared (ISO 25178-2).
+    """Surface texture parameters of a height map (ISO 25178-2).
 
     Parameters
     ----------
@@ -80,10 +80,10 @@ class MapStatistics:
 
 
 def map_statistics(surface: Topography) -> MapStatistics:
-    """Return heights and slopes of a map by the names of ISO 25178-2; missing heights are left out.
+    """Return heights and slopes of a map by the names of ISO 25178-2; missing heights are omitted.
 
     The gradient is that of the two triangles of each square of four neighbours; squares with a missing height do not
-    count.  Take off what is no roughness first: ``surface.without_spikes().detrended(1)``.
+    count.  Remove what is not roughness first: ``surface.without_spikes().detrended(1)``.
 
     Parameters
     ----------
@@ -154,7 +154,7 @@ def bearing_heights(surface: Topography, shares: ArrayLike) -> Array:
     Parameters
     ----------
     surface : Topography
-        The height map; missing heights are left out.
+        The height map; missing heights are omitted.
     shares : array_like
         From 0 to 1.
 

@@ -64,32 +64,32 @@ def doubts_of_surface(heights: Array, slope: float, lengths: tuple[float, ...]) 
     doubts = []
     if slope > STEEPEST:
         doubts.append(
-            f"Doubtful: the root mean square slope is {slope:.3g}; heights may have another unit than lengths, or "
-            "marks of missing points and spikes are among them."
+            f"Doubtful: the root mean square slope is {slope:.3g}. Heights and lengths may have different units, "
+            "or the map contains spikes or marks of missing points."
         )
     if max(lengths) > LONGEST:
         doubts.append(
             f"Doubtful: the surface is {with_unit(max(lengths), 'm', 3)} long, with heights over "
-            f"{with_unit(float(np.nanmax(heights) - np.nanmin(heights)), 'm', 2)}; the unit of the lengths may be a "
-            "smaller one."
+            f"{with_unit(float(np.nanmax(heights) - np.nanmin(heights)), 'm', 2)}. The unit of the lengths may be "
+            "smaller."
         )
     there = heights[np.isfinite(heights)]
     if 0.0 < (whole := float(np.ptp(there))) < FLATTEST:
         doubts.append(
-            f"Doubtful: the heights range over {with_unit(whole, 'm', 2)}, smaller than an atom; their unit may be a "
-            "greater one."
+            f"Doubtful: the heights range over {with_unit(whole, 'm', 2)}, less than the size of an atom. Their "
+            "unit may be larger."
         )
     if max(lengths) < SHORTEST:
         doubts.append(
-            f"Doubtful: the surface is {with_unit(max(lengths), 'm', 3)} long, a few atoms; the unit of the lengths "
-            "may be a greater one."
+            f"Doubtful: the surface is {with_unit(max(lengths), 'm', 3)} long, a few atoms. The unit of the "
+            "lengths may be larger."
         )
     for end in (float(there.min()), float(there.max())):
         rest = there[there != end]
         count = there.size - rest.size
         if count > 1 and rest.size and 0.0 < np.ptp(rest) < np.abs(rest - end).min() / FAR:
             doubts.append(
-                f"Doubtful: {count} heights are {with_unit(end, 'm', 4)}, ten times the range of the others or more "
-                "away; if they mark missing points, write nan there."
+                f"Doubtful: {count} heights are {with_unit(end, 'm', 4)}, away from the others by ten times their "
+                "range or more. If they mark missing points, write nan there."
             )
     return tuple(doubts)

@@ -22,14 +22,14 @@ MOST_PIXELS_PER_SIDE = 2**13
 
 @value
 class RandomTopography(Topography):
-    """A height map with a given spectrum and phases by chance.
+    """A height map with a given spectrum and random phases.
 
     Parameters
     ----------
     lengths : array_like, (2,)
         Lengths [m] of the map.
     spectrum : Spectrum
-        C(q): SelfAffine or PowerSpectrum; waves longer than the map, or shorter than two pixels, are left out.
+        C(q): SelfAffine or PowerSpectrum; waves longer than the map, or shorter than two pixels, are omitted.
     shape : tuple of int
         Pixels along both directions, (nx, ny).
     seed : int, optional

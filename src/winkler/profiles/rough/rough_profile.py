@@ -18,9 +18,9 @@ __all__ = ["RoughProfile"]
 
 @value
 class RoughProfile(Topography):
-    """A height map on a profile: roughness, measured or made at random, and the smooth shape below it.
+    """A height map added to a profile: measured or random roughness on a smooth shape.
 
-    The map stands alone; its mean is at rest on the profile, whose apex is in the middle.
+    The map is not periodic. Its mean plane follows the profile, whose apex is in the middle.
 
     Parameters
     ----------

@@ -21,7 +21,7 @@ MOST_PIXELS_PER_SIDE = 2**13
 
 @value
 class SampledProfile(Topography):
-    """A height map that stands alone, sampled from a profile at the centres of its pixels; the apex is in its middle.
+    """A non-periodic height map of a profile, sampled at the centres of the pixels; the apex is in its middle.
 
     Parameters
     ----------

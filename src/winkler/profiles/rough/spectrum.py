@@ -58,7 +58,7 @@ class Spectrum(Protocol):
 
 @value
 class SelfAffine:
-    """The spectrum of a self-affine surface: C(q) falls with q^(-2 (H + 1)), and is level beyond the roll-off.
+    """The spectrum of a self-affine surface: C(q) is proportional to q^(-2 (H + 1)), and constant below the roll-off.
 
     Parameters
     ----------
@@ -143,7 +143,7 @@ class SelfAffine:
 
 @value
 class PowerSpectrum:
-    """A spectrum in numbers, as measured: between them it is a power law.
+    """A power spectrum given at points, with power laws between them.
 
     Parameters
     ----------

@@ -12,16 +12,16 @@ __all__ = ["Spikes"]
 
 @value
 class Spikes:
-    """Where heights stand out of their surroundings; its text states how many and how far.
+    """Heights that deviate strongly from their surroundings; as text their number and size.
 
     Parameters
     ----------
     grains : ndarray of bool, (nx, ny)
         Spots up to some four pixels wide that lie far above or below the heights around.
     scars : ndarray of bool, (nx, ny)
-        Runs of pixels along either direction, up to three pixels wide, that leap out of both neighbours and back.
+        Runs of pixels along either direction, up to three pixels wide, with a step up and a step back.
     height : ndarray, (nx, ny)
-        By how much the heights differ [m] from the surface bridged without them; zero where nothing was found.
+        Deviation of the heights [m] from the surface without spikes; zero elsewhere.
     """
 
     __words__ = words(

@@ -88,7 +88,7 @@ def tip_limit(surface: Topography) -> float:
     Parameters
     ----------
     surface : Topography
-        The height map, with the radius of its tip; missing heights are left out.
+        The height map, with the radius of its tip; missing heights are omitted.
 
     References
     ----------

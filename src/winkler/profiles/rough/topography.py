@@ -30,11 +30,12 @@ class Topography:
     lengths : array_like, (2,)
         Lengths [m] of the map along its two directions: pixels are lengths / (nx, ny), and need not be square.
     periodic : bool, optional
-        Whether the map is repeated for ever, or stands alone (the default), with nothing outside.
+        Whether the map repeats without end; otherwise (default) nothing lies outside it.
     tip_radius : float, optional
-        Radius of the tip that has scanned it [m], which rounds what is sharper; zero if it is not known, or none has.
+        Radius of the scanning tip [m], which has rounded sharper features; zero if it is not known, or there was no
+        tip.
     removed : str, optional
-        What was taken out of the measured heights, in words; `without_spikes` and `levelled` write it.
+        Description of what was removed from the measured heights; written by `without_spikes` and `levelled`.
 
     Raises
     ------
@@ -144,16 +145,16 @@ class Topography:
         Parameters
         ----------
         by : str, optional
-            What is taken off: median of each line, differences (their median from the nearest line before that shares
-            points with it, so that steps which lines share stay), or a fitted line or parabola.
+            What is removed: the median of each line, the median of differences to the nearest earlier line with common
+            points (which keeps common steps), or a fitted line or parabola.
         along : str, optional
             Direction in which a line was scanned, x or y.
 
         Raises
         ------
         InvalidInput
-            If a word is another one, or the map is periodic and would not be so any more; by differences, if a line
-            shares no point with any line before it.
+            If an option is not known, or the map is periodic and would lose its periodicity. By differences, if a line
+            has no common point with any earlier line.
         """
         turned = along_x(along)
         levels = line_levels(self.heights.T if turned else self.heights, by, periodic=self.periodic)
@@ -172,7 +173,7 @@ class Topography:
         Raises
         ------
         InvalidInput
-            If it has another shape than the map, is no truth of every pixel, or leaves nothing.
+            If it has another shape than the map, is not boolean, or leaves no height.
         """
         lost = np.asarray(where)
         if lost.dtype != bool or lost.shape != self.heights.shape:
@@ -183,7 +184,7 @@ class Topography:
         return self._with(np.where(lost, np.nan, self.heights))
 
     def spikes(self, times: float = 4.0) -> Spikes:
-        """Return where heights are no surface: they would bear the load before anything else touches.
+        """Return where heights are artefacts that would carry the load before the surface touches.
 
         A height is a grain or dropout if it lies outside of Tukey's fences around it: `times` the distance of the
         quartiles above the upper or below the lower one, among the heights within four pixels; so they are found up to
@@ -214,7 +215,7 @@ class Topography:
         return Spikes(grains, scarred & ~grains, np.where(grains | scarred, self.heights - bare, 0.0))
 
     def without_spikes(self, times: float = 4.0) -> Topography:
-        """Return the map with grains, dropouts and scars missing; `removed` says what they were.
+        """Return the map with grains, dropouts and scars marked as missing; `removed` describes them.
 
         Parameters
         ----------
@@ -267,7 +268,7 @@ class Topography:
     def coarsened(self, times: int) -> Topography:
         """Return the map with means over `times` by `times` pixels.
 
-        What does not fill such a block is left out, and a mean with a missing height is missing.
+        Pixels that do not fill a block are omitted; a mean with a missing height is missing.
 
         Raises
         ------

@@ -44,15 +44,15 @@ class MeasuredSection(Section):
     places : ndarray, (n,)
         Places along the surface [m], ascending; at least 16.
     heights : ndarray, (n,)
-        Heights of the gap there [m]: the lowest touch first.  Of a trace whose peaks point upwards change the sign, or
-        read it with ``read_section(path, peak=True)``.
+        Heights of the gap there [m]: the lowest touch first.  For a trace with peaks pointing upwards change the sign,
+        or read it with ``read_section(path, peak=True)``.
 
     cut_off : bool, optional
-        Whether the body ends vertically at the first and at the last point; otherwise it goes on, unknown, and must not
-        touch there.
+        Whether the body ends vertically at the first and at the last point. Otherwise its continuation is unknown, and
+        must not touch.
     curved : bool, optional
-        Whether a cubic spline joins the points instead of straight lines: for traces whose points lie closer than what
-        they show.
+        Whether a cubic spline joins the points instead of straight lines; use it if the points are closer than the
+        features of the trace.
 
     Raises
     ------
@@ -116,8 +116,9 @@ class MeasuredSection(Section):
         """What joins the points."""
         joined = "a cubic spline" if self.curved else "straight lines"
         text = (
-            f"The section is {self.places.size} points joined by {joined}: greatest pressures belong to their spacing "
-            "and to the scatter of the heights, and are less certain than forces, gaps and contact lengths."
+            f"The section consists of {self.places.size} points joined by {joined}. Maximum pressures depend on "
+            "the point spacing and the scatter of the heights. They are less accurate than forces, gaps and "
+            "contact lengths."
         )
         return (Note(Assumption.SHAPE, Standing.APPROXIMATE, text, "as measured"),)
 
@@ -150,7 +151,7 @@ def _spline(section: MeasuredSection) -> Any:
 
 @value
 class FormulaSection(Section):
-    """A section whose height is a formula of the place x, from 0 to a stated width.
+    """A section defined by a formula of the position x, from 0 to a given width.
 
     Parameters
     ----------

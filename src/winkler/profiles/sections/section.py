@@ -85,7 +85,7 @@ class CylinderRow(Section):
     Parameters
     ----------
     curvature_radii : ndarray, (n,)
-        R_i [m]: 1/R_i is the sum of the curvatures of a cylinder and what it touches.
+        R_i [m]: 1/R_i is the sum of the curvatures of a cylinder and the opposite body.
     places : ndarray, (n,)
         Where their lowest lines are [m], ascending.
     drops : ndarray, (n,)
@@ -213,7 +213,7 @@ class PunchRow(Section):
         return tuple(zip(self.starts.tolist(), self.ends.tolist(), strict=True))
 
     def height(self, x: Array) -> Array:
-        """f(x) [m], beside the punches that of the nearest one on the left."""
+        """f(x) [m]; between the punches it is that of the nearest one on the left."""
         return np.asarray(self.drops[np.maximum(np.searchsorted(self.starts, x, side="right") - 1, 0)])
 
     def slope(self, x: Array) -> Array:

@@ -303,7 +303,7 @@ NORMAL = Chapter(
         ),
         "nearly_round_indentation": answer(
             "winkler.problems.normal.near_round:NearlyRoundIndentation",
-            question="What force does a pyramid, an oval or another punch that is not quite round take, approximately?",
+            question="Which force does a nearly round punch, such as a pyramid or an oval, need, approximately?",
             page="chapters/rough.md",
             en="not quite round slightly oval imperfect shape square pyramid punch polygon triangular berkovich non-axisymmetric almost circular square cross section punch stiffness square pad non-circular punch rectangular foot",
             de="nicht ganz rund fast rund unrund pyramide stempel vieleck quadratischer stempel",

@@ -29,7 +29,7 @@ PARTICLES = Chapter(
     answers={
         "elastic_plastic_particle": answer(
             "winkler.problems.particles.elastic_plastic:ElasticPlasticParticle",
-            question="What force does a grain of powder take that yields and sticks?",
+            question="Which force does a grain of powder carry that yields and sticks?",
             page="chapters/friction.md",
             en="grains particles collide thornton ning plastic particle powder dem metal particle yielding ball plastic indentation crush elastoplastic restitution plastic thornton walton braun hysteretic granule inelastic collision of metal grains eepa model luding edinburgh walton-braun compaction tablet granule yields flowability caking plastic grain contact law cohesion agglomeration",
             de="plastisches teilchen pulver elastisch-plastisch kugel fliesst partikel granulat pressen von pulver tablettieren",

@@ -257,7 +257,7 @@ ROUGH = Chapter(
         ),
         "rough_contact": answer(
             "winkler.problems.rough.line_contact:RoughContact",
-            question="How stiff is a rough square of which only the power spectrum is known, to about a fourth?",
+            question="How stiff is a rough square of which only the power spectrum is known, within about 25 %?",
             page="chapters/rough.md",
             en="power spectral density topography rough contact stiffness lines of springs self-affine fractal roughness stiffness of a rough square hurst power law stiffness persson compliance of rough bodies",
             de="rauer kontakt steifigkeit fraktal selbstaffin hurst rauheit",

@@ -123,7 +123,7 @@ SURFACE_FRICTION = Chapter(
         ),
         "joint_stiffness": answer(
             "winkler.problems.surface_friction.joint:JointStiffness",
-            question="How stiff is a joint of rough surfaces, across and along, and how much energy does it lose in a cycle?",
+            question="How stiff is a joint of rough surfaces, normal and tangential, and how much energy does it lose in a cycle?",
             page="chapters/surfaces/joints.md",
             key="bolt joint",
             en="bolted joint stiffness interface stiffness machine tool joint contact stiffness per area damping how stiff is the joint flange shear stiffness joint damping bolted flange clamp guideway stiffness machine tool interface per unit area ultrasonic reflection tangential stiffness of a rough interface normal stiffness of joint modal identification of joint contact layer for finite elements greenwood stiffness bolted faces compliance of rough bodies asperity compliance",

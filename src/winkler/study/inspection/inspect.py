@@ -373,7 +373,9 @@ def _curve(file: Path, *, brief: bool) -> Inspection:
     flags = examined(first) if np.any(first.direction != 0.0) else ()
     doubts = [flag.statement for flag in flags if not (hard and flag.name == "no_baseline")]
     if not np.any(first.direction != 0.0):
-        doubts.append(f"The tip is held over all {first.position.size} points: there is no approach and no retraction.")
+        doubts.append(
+            f"The tip is held over all {first.position.size} points: the curve has no approach and no retraction."
+        )
     doubts += _jumps(first)
     doubts += _unpressed(first)
     if unread:

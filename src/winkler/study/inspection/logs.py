@@ -84,17 +84,20 @@ def log_doubts(content: object) -> tuple[str, ...]:
     if float(np.std(stroke)) > UNEVEN * float(np.mean(stroke)):
         doubts.append(
             f"Strokes of the second half are {with_unit(float(stroke.min()), 'm', 3)} to "
-            f"{with_unit(float(stroke.max()), 'm', 3)}: give each amplitude a file of its own."
+            f"{with_unit(float(stroke.max()), 'm', 3)}: give each amplitude a separate file."
         )
     if force.size > 2:
         change = float(np.polyfit(np.linspace(0.0, 1.0, force.size), force, 1)[0]) / float(np.mean(force))
         if abs(change) > TREND:
             doubts.append(
-                f"The shear force goes on changing, by {100 * change:+.0f} % within the second half: it is not steady."
+                f"The shear force continues to change, by {100 * change:+.0f} % within the second half: it is "
+                "not steady."
             )
     negative = int(np.count_nonzero(content.loss_per_cycle <= 0.0))
     if negative:
-        doubts.append(f"{negative} of {len(content.cycles)} loops lose no energy: their opening is below the noise.")
+        doubts.append(
+            f"{negative} of {len(content.cycles)} loops dissipate no energy: their opening is below the noise."
+        )
     return tuple(doubts)
 
 

@@ -64,7 +64,7 @@ class CurveEvent:
     size : float
         In `unit`: of a baseline the travel; of a loading or an unloading the change of force; of a hold its duration
         [s], without times the number of points; of a pop-in the step of position [m] or the drop of force [N]; of
-        snap-in and pull-off the greatest tension below the baseline; of saturation the force; of interference the
+        snap-in and pull-off the maximum tension below the baseline; of saturation the force; of interference the
         amplitude; of a clock offset the time by which the force is late; of drag the force against the motion.
     error : float
         Standard error of the size from the noise; zero where the size is read directly, or without noise.

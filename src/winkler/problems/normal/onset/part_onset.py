@@ -27,7 +27,8 @@ class PartOnset:
     name : str
         What it is called.
     force, radius, depth : float
-        [N], [m], [m] when it begins to yield; infinite where it does not within what was examined.
+        Force, contact radius and depth at the onset of yield [N], [m], [m]; infinite if no yield was found in the
+        examined range.
     x, z : float
         Where [m], as of `YieldOnsetSolution`; nan where it does not yield.
     why : str

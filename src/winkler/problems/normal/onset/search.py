@@ -279,8 +279,9 @@ def _refuse_first_touch(bed: Bed, part: StrongPart, a: float, flat: float, sharp
     if flat in sharp:
         if part.solid.poisson == 0.5 and mu == 0.0:
             raise OutsideValidity(
-                "YieldOnset: the slope of the profile jumps; in an incompressible body the greatest von Mises stress "
-                "next to the edge is finite, but is not resolved at the first touch; give a rounded profile."
+                "YieldOnset: the slope of the profile jumps; in an incompressible body the maximum von Mises "
+                "stress next to the edge is finite, but is not resolved at the first touch; give a rounded "
+                "profile."
             )
         raise OutsideValidity(
             f"YieldOnset: the slope of the profile jumps, so the stress is infinite there and {advice}"

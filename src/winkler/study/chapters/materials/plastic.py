@@ -82,7 +82,7 @@ PLASTIC = Chapter(
         "dent_limit": answer(
             "winkler.problems.plastic.dent_limit:DentLimit",
             "johnson_1985",
-            question="Under which load does a dent of a given depth stay?",
+            question="Which load leaves a dent of a given depth?",
             page="chapters/metals.md#the-load-that-a-dent-allows",
             en="load that leaves a dent of a given depth dent of a ten-thousandth of the ball diameter allowed permanent deformation of rolling element and raceway load for an allowed residual dent",
             de="last für einen zulässigen bleibenden eindruck ein zehntausendstel des kugeldurchmessers",
@@ -101,7 +101,7 @@ PLASTIC = Chapter(
         "strength_from_dent": answer(
             "winkler.problems.plastic.strength_from_dent:StrengthFromDent",
             "johnson_1985",
-            question="Which strength has a metal in which known loads have left dents, or from which balls rebound?",
+            question="Which strength does a metal have, from dents of known loads or from rebounds of balls?",
             page="chapters/metals.md#the-strength-that-a-dent-tells",
             en="strength from a dent yield strength from the diameter of an indentation strength from ball indentation test meyer hardness yield strength from hardness strength from restitution strength from rebound dynamic strength from drop tests",
             de="festigkeit aus einem eindruck streckgrenze aus der härte meyerhärte festigkeit aus der stosszahl",
