@@ -8,7 +8,7 @@ leads from pixel to pixel.  Stresses on the surface are those in the middles of 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
@@ -26,6 +26,8 @@ __all__ = [
     "greatest_over_depth",
     "loaded_span",
 ]
+
+AnyField = TypeVar("AnyField", MapField, PeriodicMapField)
 
 SHALLOWEST = 0.5
 """Smallest depth below the surface that is searched, in pixels; nearer to it the steps between pixels show."""
@@ -60,8 +62,8 @@ def greatest_below_map(field: MapField | PeriodicMapField, measure: Measure = vo
         Of which kind; von Mises' unless given.
     """
     if isinstance(field, PeriodicMapField):
-        depths = np.array([0.0, *_depths(field)])
-        return greatest_of_levels(lambda z: (field.at_depth(z)[:6], field.pixel), depths, 0.0, measure)
+        levels = np.array([0.0, *_depths(field)])
+        return greatest_of_levels(lambda z: (field.at_depth(z)[:6], field.pixel), levels, 0.0, measure)
     depths, least = _depths(field), SHALLOWEST * max(field.pixel)
     surface = _best_at(field, 0.0, measure)
     found = sorted(
@@ -204,7 +206,7 @@ def _depths(field: MapField | PeriodicMapField) -> list[float]:
     return depths
 
 
-def _on_means(field: MapField | PeriodicMapField, z: float, per_depth: float) -> MapField | PeriodicMapField:
+def _on_means(field: AnyField, z: float, per_depth: float) -> AnyField:
     """Return the map on pixels as large as the depth allows; a periodic one as it is."""
     times = int(z / (per_depth * max(field.pixel)))
     return field.coarsened(times) if isinstance(field, MapField) and times > 1 else field
