@@ -8,7 +8,7 @@ leads from pixel to pixel.  Stresses on the surface are those in the middles of 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple
 
 import numpy as np
 
@@ -26,8 +26,6 @@ __all__ = [
     "greatest_over_depth",
     "loaded_span",
 ]
-
-AnyField = TypeVar("AnyField", MapField, PeriodicMapField)
 
 SHALLOWEST = 0.5
 """Smallest depth below the surface that is searched, in pixels; nearer to it the steps between pixels show."""
@@ -206,7 +204,7 @@ def _depths(field: MapField | PeriodicMapField) -> list[float]:
     return depths
 
 
-def _on_means(field: AnyField, z: float, per_depth: float) -> AnyField:
+def _on_means(field: MapField | PeriodicMapField, z: float, per_depth: float) -> MapField | PeriodicMapField:
     """Return the map on pixels as large as the depth allows; a periodic one as it is."""
     times = int(z / (per_depth * max(field.pixel)))
     return field.coarsened(times) if isinstance(field, MapField) and times > 1 else field
