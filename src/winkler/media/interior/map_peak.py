@@ -219,7 +219,9 @@ def _best_of(field: MapField | PeriodicMapField, stress: Array, z: float) -> Str
     return StressSpot(float(stress[i, j]), (float(i) + 0.5) * field.pixel[0], (float(j) + 0.5) * field.pixel[1], z)
 
 
-def _climbed(field: MapField, start: StressSpot, shallowest: float, side: float, measure: Measure) -> StressSpot:
+def _climbed(
+    field: MapField | PeriodicMapField, start: StressSpot, shallowest: float, side: float, measure: Measure
+) -> StressSpot:
     """Return the greatest stress near a place, by the simplex of Nelder and Mead in units of its depth."""
     from scipy.optimize import minimize
 
