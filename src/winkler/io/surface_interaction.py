@@ -117,8 +117,8 @@ def _lines(
     medium = contact.problem.medium
     if not isinstance(medium, HomogeneousMedium):
         raise OutsideValidity(
-            f"{owner}: the closure of a height map on a {type(medium).__name__} is not known to winkler, pressures, "
-            "gaps and stiffness are; give a HalfSpace."
+            f"{owner}: the closure of a height map on a {type(medium).__name__} is not implemented; pressures, gaps "
+            "and stiffness are. Give a HalfSpace."
         )
     closure, pressure, stiffness = _rows(contact)
     scale, units = UNITS[length_unit]

@@ -223,7 +223,7 @@ WAVY = wk.RandomTopography([1.0, 1.0], wk.SelfAffine(hurst=0.8, rms_height=0.02,
 
 @pytest.mark.parametrize(("change", "error", "sentence"), [
     ({"path": wk.Path.through(wk.Force(FORCE), wk.ShearForce([0.0, MU * FORCE]))}, OutsideValidity,
-     "at index 1 of the path, a shear force of 0.0002 N is prescribed, but the friction limit is 0.0002 N"),
+     "at index 1 of the path a shear force of 0.0002 N is prescribed, but the friction limit is 0.0002 N"),
     ({"path": wk.Path.through(wk.Depth([DEPTH, 0.0]), wk.ShearForce(1e-6))}, OutsideValidity,
      "the friction limit is 0 N"),
     ({"path": wk.Path.through(wk.Depth(DEPTH), wk.Torque([1.0]))}, OutsideValidity, "a torque of 1 N m"),

@@ -53,7 +53,7 @@ MEANS_PER_DEPTH = 6.0
 """Depth over the side of the means that stand for the pixels."""
 
 
-class _Waves(NamedTuple):
+class _LoadWaves(NamedTuple):
     """Some waves of a map: wave numbers and directions (m, n), transforms of the loads (l, m, n), factors of places.
 
     A transform has the weight of its wave.  Without factors the waves are those of fast transforms of some size.
@@ -106,7 +106,7 @@ class MapInLayers:
         means = MapField(self.loads, self.pixel, 0.0).coarsened(times)
         return MapInLayers(self.medium, means.loads, means.pixel, periodic=self.periodic)
 
-    def _short(self) -> _Waves:
+    def _short(self) -> _LoadWaves:
         """Return the shorter waves, of a periodic map all but the mean."""
         import scipy.fft
 
@@ -118,9 +118,9 @@ class MapInLayers:
         if not self.periodic:
             part *= 1.0 - faded_out(k / self.join - 1.0)
         loads = scipy.fft.rfft2(self.loads[self.numbers], (nx, ny), workers=-1)
-        return _Waves(k, kx / safe, ky / safe, loads * part, size=(nx, ny))
+        return _LoadWaves(k, kx / safe, ky / safe, loads * part, size=(nx, ny))
 
-    def _long(self) -> Iterator[_Waves]:
+    def _long(self) -> Iterator[_LoadWaves]:
         """Yield the bands of longer waves."""
         x, y = ((np.arange(n) + 0.5) * side for n, side in zip(self.loads.shape[1:], self.pixel, strict=True))
         high, last = self.join, False
@@ -137,7 +137,7 @@ class MapInLayers:
             safe, part = np.where(k > 0.0, k, 1.0), np.where(k > 0.0, part, 0.0)
             along, aside = np.exp(1j * np.outer(x, kx)), np.exp(1j * np.outer(ky, y))
             loads = along.conj().T @ self.loads[self.numbers] @ aside.conj().T
-            yield _Waves(k, kx / safe, ky / safe, loads * (part * math.prod(self.pixel)), along, aside)
+            yield _LoadWaves(k, kx / safe, ky / safe, loads * (part * math.prod(self.pixel)), along, aside)
             high = low
 
     def stresses(self, z: float) -> Array:
