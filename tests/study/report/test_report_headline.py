@@ -135,6 +135,20 @@ def test_the_advice_names_the_load_that_the_size_allows():
     assert doubt_of(ball()).statement == ""
 
 
+def test_shear_stresses_are_the_greatest_of_both_bodies():
+    """The second body yields first and has the lower shear stress: Poisson's ratio lessens it (Johnson, sec. 3.4)."""
+    soft = {"kind": "elastic", "young": "70 GPa", "poisson": 0.45, "strength": "90 MPa"}
+    hard = {"kind": "elastic", "young": "210 GPa", "poisson": 0.1}
+    outcome = solved("indentation", problem__bed__medium={"kind": "half_space", "first": hard, "second": soft})
+    parts = wk.ContactStress(outcome.study.problem).solve().parts
+    state = elastic_state(shown_point(outcome))
+    assert state.body == "second body"
+    for found, name in zip(state.shears, ("max_shear", "orthogonal_shear"), strict=True):
+        assert found.value == pytest.approx(max(getattr(part, name) for part in parts), rel=1e-6)
+        assert found.body == max(parts, key=lambda part: getattr(part, name)).name
+    assert parts[0].max_shear > 1.05 * parts[1].max_shear
+
+
 STRONG = {"kind": "elastic", "young": "210 GPa", "poisson": 0.3, "strength": "700 MPa"}
 COATED = {
     "kind": "coated_half_space",

@@ -13,6 +13,7 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.interior.map_peak import greatest_below_map
 from winkler.media.interior.peak import StressSpot
 from winkler.media.offers import LayerStack, offers
+from winkler.numerics.caching import cached_by_value
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.normal.elliptic_fields import solid_below
 from winkler.problems.normal.strong_parts import StrongPart, solid_parts
@@ -61,7 +62,8 @@ def greatest_stress(load: SurfaceLoad, solid: Elastic) -> StressSpot:
     return _placed(greatest_below_map(load.field(solid.poisson)), load)
 
 
-def greatest_in_parts(load: SurfaceLoad, medium: object, parts: tuple[StrongPart, ...]) -> list[StressSpot]:
+@cached_by_value(maxsize=8)  # what is said of yielding and the summary ask for the same
+def greatest_in_parts(load: SurfaceLoad, medium: object, parts: tuple[StrongPart, ...]) -> tuple[StressSpot, ...]:
     """Return the greatest von Mises stress [Pa] in each part of the bodies and its place [m], z into its body.
 
     Parameters
@@ -73,16 +75,16 @@ def greatest_in_parts(load: SurfaceLoad, medium: object, parts: tuple[StrongPart
     parts : tuple of StrongPart
     """
     if not offers(medium, LayerStack):
-        return [greatest_stress(load if part.first else load.reversed(), part.solid) for part in parts]
+        return tuple(greatest_stress(load if part.first else load.reversed(), part.solid) for part in parts)
     from winkler.media.layered.map_interior import MapInLayers, greatest_in_layer  # loaded with layers
 
     inside = MapInLayers(medium, load.loads, load.pixel, periodic=load.periodic)
-    return [
+    return tuple(
         _placed(greatest_in_layer(inside, part.top, part.bottom), load)
         if part.first
         else greatest_stress(load.reversed(), part.solid)
         for part in parts
-    ]
+    )
 
 
 def _placed(spot: StressSpot, load: SurfaceLoad) -> StressSpot:

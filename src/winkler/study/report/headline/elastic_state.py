@@ -19,6 +19,7 @@ import numpy as np
 from winkler.foundation.bed import PressedSprings
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior import tensor
+from winkler.media.offers import LayerStack, offers
 from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.normal.strong_parts import StrongPart, solid_parts, strong_parts
@@ -44,10 +45,11 @@ MEASURES: tuple[tensor.Measure, ...] = (tensor.von_mises, tensor.max_shear, tens
 
 
 class Deep(NamedTuple):
-    """A greatest stress [Pa], and how far below the surface it is [m]."""
+    """A greatest stress [Pa], how far below the surface it is [m], and in which of several bodies or layers."""
 
     value: float
     depth: float
+    body: str = ""
 
 
 Search = Callable[[StrongPart, tensor.Measure], Deep]
@@ -77,7 +79,7 @@ class ElasticState(NamedTuple):
     under
         Which contact it is, or with which tractions.
     shears
-        Greatest shear stress, and greatest shear stress along the surface; empty where they are not known.
+        Greatest shear stress of all bodies, and that along the surface; empty where they are not known.
     load
         Load of the contact [N, N/m]; not a number where the load of yield is not known.
     """
@@ -139,13 +141,14 @@ def elastic_state(point: SolvedPoint) -> ElasticState | None:
 def _state(
     parts: tuple[StrongPart, ...], find: Search, peak: float, unit: str, under: str = FRICTIONLESS
 ) -> tuple[StrongPart, ElasticState]:
-    """Return the part that is nearest to its strength, of parts without one the most stressed, and its stresses."""
+    """Return the part nearest to its strength, of parts without one the most stressed, and the stresses."""
     found = [(part, find(part, tensor.von_mises)) for part in parts]
-    part, (stress, depth) = max(found, key=lambda one: (one[1].value / _strength(one[0]), one[1].value))
+    part, (stress, depth, _) = max(found, key=lambda one: (one[1].value / _strength(one[0]), one[1].value))
     shears = []
     for measure in MEASURES[1:]:
         try:
-            shears.append(find(part, measure))
+            most = max(((find(one, measure), one.name) for one in parts), key=lambda one: one[0].value)
+            shears.append(most[0]._replace(body=most[1] if len(parts) > 1 else ""))
         except WinklerError:  # of an ellipse or of layers some kinds are not known
             break
     strength = _strength(part)
@@ -172,7 +175,7 @@ def _round(contact: Any) -> ElasticState | None:
 
     part, state = _state(parts, find, float(np.max(contact.peak_pressure)), "N")
     onset = _onset(pressed.bed, part, sharp[part]) if part.solid.strength < math.inf else math.nan
-    shears = () if sharp[part] else state.shears
+    shears = () if any(sharp.values()) else state.shears
     load = float(np.max(contact.force))
     return state._replace(sharp=sharp[part], yield_load=onset, shears=shears, load=load)
 
@@ -323,14 +326,26 @@ def _roller(solution: Any, problem: Any) -> ElasticState | None:
 def _map(point: SolvedPoint) -> ElasticState | None:
     """Return the stresses below a height map, or below the most pressed patch of two profiles, with their tractions."""
     found = pressed_map(point)
-    if found is None or not isinstance(found[0], HalfSpace):
+    if found is None or not (isinstance(found[0], HalfSpace) or offers(found[0], LayerStack)):
         return None
     from winkler.media.interior.map_peak import greatest_by_depths
-    from winkler.problems.subsurface.below_surface import greatest_stress
+    from winkler.problems.subsurface.below_surface import greatest_in_parts, greatest_stress
 
     medium, load, under = found
     if load.pressure.size > MOST_PIXELS and not strong_parts(medium):
         return None
+    tractions = "with its tractions" if np.any(load.loads[1:]) else FRICTIONLESS
+    said = f"{under}, {tractions}"
+    parts = strong_parts(medium) or solid_parts(medium)
+    if not isinstance(medium, HalfSpace):
+        spots = dict(zip(parts, greatest_in_parts(load, medium, parts), strict=True))
+
+        def in_layers(part: StrongPart, measure: tensor.Measure) -> Deep:
+            if measure is not tensor.von_mises:
+                raise OutsideValidity("below maps on layers the greatest von Mises stress alone is sought")
+            return Deep(spots[part].value, spots[part].z)
+
+        return _state(parts, in_layers, float(np.max(load.pressure)), "N", said)[1]
 
     @functools.cache
     def on_grid(part: StrongPart) -> dict[tensor.Measure, Deep]:
@@ -350,8 +365,7 @@ def _map(point: SolvedPoint) -> ElasticState | None:
     def find(part: StrongPart, measure: tensor.Measure) -> Deep:
         return on_grid(part)[measure]
 
-    tractions = "with its tractions" if np.any(load.loads[1:]) else FRICTIONLESS
-    return _state(solid_parts(medium), find, float(np.max(load.pressure)), "N", f"{under}, {tractions}")[1]
+    return _state(solid_parts(medium), find, float(np.max(load.pressure)), "N", said)[1]
 
 
 def pressed_map(point: SolvedPoint) -> tuple[Any, Any, str] | None:

@@ -216,8 +216,8 @@ def _stresses(point: SolvedPoint) -> Iterator[SummaryNumber]:
         return
     if not math.isnan(state.peak_pressure):
         yield _plain("peak_pressure", state.peak_pressure, "Pa", _rated(stressed_contact(point), state))
-    for name, (stress, depth) in zip(("max_shear", "orthogonal_shear"), state.shears, strict=False):
-        yield _plain(name, stress, "Pa", _below(depth))
+    for name, (stress, depth, body) in zip(("max_shear", "orthogonal_shear"), state.shears, strict=False):
+        yield _plain(name, stress, "Pa", f"{_below(depth)}, {body}" if body else _below(depth))
     sharp = f"; {state.sharp}" if state.sharp else ""
     share = f"; {state.share:.3g} of the strength" if 0.0 < state.share != 1.0 and math.isnan(state.yield_load) else ""
     yield _plain("von_mises", state.von_mises, "Pa", f"{state.place(3)}, {state.under}{share}{sharp}")
