@@ -1,4 +1,4 @@
-"""Films of height maps that are sheared or roll: a frame for each state, in the app and as a file."""
+"""Films of height maps that are sheared or roll, and of metals that yield: in the app and as a file."""
 
 from __future__ import annotations
 
@@ -17,6 +17,8 @@ import winkler as wk
 from winkler.cli import main
 from winkler.plot import film, style
 from winkler.plot.panel import NO_CONTACT, Map, Strokes
+from winkler.plot.particles.dent_film import dent_sheets, surface_of
+from winkler.plot.render import render
 from winkler.plot.rough.film import film_panels, film_sheet
 from winkler.problems.subsurface import traction_frames
 from winkler.study.batch.run import run
@@ -161,10 +163,12 @@ def test_the_command_writes_a_film(tmp_path, capsys):
     assert "does not end like a film; give .gif or .mp4." in capsys.readouterr().err
 
 
-def example_frames(kind, monkeypatch):
-    """Return five frames of the example of a kind, and the solved point."""
+def example_frames(kind, monkeypatch, **changes):
+    """Return five frames of the example of a kind, with changes of the problem, and the solved point."""
     monkeypatch.setattr(frames, "MOST_FRAMES", 5)
-    point = run(parse_study(tomli_w.dumps({"title": kind, **example_study(kind)}))).points[0]
+    table = example_study(kind)
+    table["problem"].update(changes)
+    point = run(parse_study(tomli_w.dumps({"title": kind, **table}))).points[0]
     return list(frames.frames_of(point)), point
 
 
@@ -194,3 +198,93 @@ def test_a_contact_that_warms_up_moves_over_loads_and_speeds(argument):
         table["problem"]["contact"]["load"] = {"kind": "force", "force": ["5 N", "10 N", "20 N"]}
     point = run(parse_study(tomli_w.dumps({"title": "warm", **table}))).points[0]
     assert len(list(frames.frames_of(point))) == 3
+
+
+STEEL = wk.HalfSpace(wk.Elastic(210e9, 0.3, strength=300e6), wk.Elastic(210e9, 0.3))
+BEARING = wk.Foundation(wk.Paraboloid(5e-3), STEEL)
+
+
+def pressed_again():
+    """A ball that dents a plate, is let go, pressed less than before, and let go; none of its points is an onset."""
+    return wk.PlasticIndentation(BEARING, wk.Force([100.0, 0.0, 60.0, 0.0])).solve()
+
+
+def shown(sheet, name):
+    """Return a row of the first panel by its name in the legend."""
+    return next(mark for mark in sheet.panels[0].marks if getattr(mark, "name", "") == name)
+
+
+def test_a_film_of_a_dent_ends_with_the_dent_that_stays():
+    pressed = pressed_again()
+    sheets = list(dent_sheets(pressed, 21))
+    assert len(sheets) == 21
+    left = float(pressed.residual_depth[-1])
+    assert left > 1e-6
+    last, first = shown(sheets[-1], "surface"), shown(sheets[0], "surface")
+    assert np.nanmin(last.y) == pytest.approx(-left, rel=1e-12)
+    assert not first.y.any()
+    assert np.isnan(shown(sheets[-1], "contact").y).all()
+    assert sheets[-1].title.endswith("the dent is 2.761 µm deep")
+    assert left == pytest.approx(2.761e-6, abs=5e-10)
+    assert sheets[0].title.endswith("elastic, no dent")
+    beyond = shown(sheets[-1], "beyond the dent: elastic part alone")
+    assert np.nanmin(np.abs(beyond.x[np.isfinite(beyond.y)])) > float(pressed.largest_radius[-1])
+    assert not np.nan_to_num(beyond.y).any()
+    marked = [sheet.panels[1].marks[-1] for sheet in sheets]
+    forces = [float(mark.y[0]) for mark in marked]
+    assert forces == pytest.approx([*range(0, 100, 20), *range(100, 0, -20), *range(0, 60, 12), *range(60, -1, -12)])
+
+
+def test_axes_of_a_film_of_a_dent_do_not_move():
+    frames_of_axes = set()
+    for sheet in dent_sheets(pressed_again(), 5):
+        figure = render(sheet)
+        frames_of_axes.add(tuple((*axes.get_xlim(), *axes.get_ylim()) for axes in figure.axes))
+    assert len(frames_of_axes) == 1
+
+
+def test_the_surface_of_a_film_follows_the_indenter_where_it_touches():
+    """The dent less the elastic displacement is the outline of the indenter, which neither of them knows."""
+    along = wk.PlasticIndentation(BEARING, wk.Force([0.2, 20.0, 100.0, 50.0, 5.0, 0.0])).solve()
+    for place in range(5):
+        touch, edge = float(along.radius[place]), float(along.largest_radius[place])
+        r = np.linspace(0.0, 0.999 * touch, 40)
+        within, beyond = surface_of(along, place, r)
+        indenter = r**2 / (2.0 * 5e-3) - along.depth[place]
+        assert within == pytest.approx(indenter, abs=1e-9 * along.depth[place])
+        assert np.isnan(beyond).all()
+        outside = np.linspace(1.001 * touch, edge, 40)[:-1] if touch < 0.99 * edge else np.zeros(0)
+        assert (surface_of(along, place, outside)[0] < outside**2 / (2.0 * 5e-3) - along.depth[place]).all()
+
+
+def test_before_yield_the_surface_beyond_is_that_of_hertz():
+    """K. L. Johnson, Contact Mechanics, equation 3.42b."""
+    along = wk.PlasticIndentation(BEARING, wk.Force([0.2])).solve()
+    a, r = float(along.radius[0]), np.array([1.1, 1.5, 3.0]) * float(along.radius[0])
+    sunk = ((2.0 * a**2 - r**2) * np.arcsin(a / r) + a * np.sqrt(r**2 - a**2)) / (np.pi * 5e-3)
+    within, beyond = surface_of(along, 0, r)
+    assert within == pytest.approx(-sunk, rel=1e-9)
+    assert np.isnan(beyond).all()
+
+
+@pytest.mark.parametrize("kind", ["plastic_impact", "dent_limit", "plastic_indentation"])
+def test_dents_of_studies_have_films(kind, monkeypatch):
+    changes = {"velocity": "0.4 m/s"} if kind == "plastic_impact" else {}
+    sheets, point = example_frames(kind, monkeypatch, **changes)
+    assert 2 < len(sheets) <= 5
+    forces = [float(sheet.panels[1].marks[-1].y[0]) for sheet in sheets]
+    greatest = point.solution.greatest_force if kind == "plastic_impact" else point.solution.force
+    assert max(forces) <= np.max(greatest) * (1.0 + 1e-9)
+    if kind != "plastic_indentation":
+        assert max(forces) == pytest.approx(np.max(greatest), rel=1e-9)
+        assert forces[-1] == 0.0
+
+
+def test_dents_without_a_shape_have_no_film():
+    crowned = wk.EllipticFoundation(wk.CurvedBodies(5e-3, 50e-3), STEEL)
+    with pytest.raises(wk.InvalidInput, match="does not compute the shape of an elliptic dent"):
+        film(wk.PlasticIndentation(crowned, wk.Force([100.0, 0.0])).solve())
+    with pytest.raises(wk.InvalidInput, match="touch at no moment"):
+        film(wk.PlasticIndentation(BEARING, wk.Force([0.0])).solve())
+    with pytest.raises(wk.InvalidInput, match="of 2 velocities has as many dents; give one velocity"):
+        film(wk.PlasticImpact(BEARING, mass=4e-3, velocity=np.array([0.1, 0.2])).solve())

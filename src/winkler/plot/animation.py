@@ -8,11 +8,14 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from winkler.plot.panel import Sheet
 from winkler.values.errors import InvalidInput
 
-__all__ = ["FILMS", "animated"]
+__all__ = ["FILMS", "MOST_FRAMES", "animated", "spread"]
 
+MOST_FRAMES = 24
 PER_SECOND = 8
 """Sheets shown in a second."""
 DOTS_PER_INCH = 80
@@ -45,6 +48,11 @@ def animated(sheets: Iterable[Sheet], *, per_second: float = PER_SECOND, form: s
             writer.grab_frame()
         writer.finish()
         return path.read_bytes()
+
+
+def spread(total: int, most: int) -> list[int]:
+    """Return at most so many places of all, the first and the last ones among them."""
+    return [int(one) for one in np.unique(np.linspace(0, total - 1, min(total, most)).round().astype(int))]
 
 
 def _writer(form: str, per_second: float) -> Any:

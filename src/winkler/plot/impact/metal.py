@@ -7,14 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from winkler.loading.loads import Depth
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Panel, PanelAxis, Rule, Sheet, among, from_zero, titled
-from winkler.plot.registered import sheet_of_kind
+from winkler.plot.particles.dent_film import blow_of
+from winkler.plot.particles.yielding import plastic_sheet
 from winkler.plot.series import row_of, with_unit
 from winkler.problems.plastic.impact import PlasticImpactSolution
-from winkler.problems.plastic.indentation import PlasticIndentation
 
 __all__ = ["plastic_impact_sheet"]
 
@@ -25,8 +24,7 @@ TITLES = "restitution", "dent", "time of contact"
 def plastic_impact_sheet(item: PlasticImpactSolution) -> Sheet:
     """Return force and radius over the depth, and the dent, of one velocity; of many what depends on it."""
     if np.size(item.velocity) == 1:
-        depths = np.ravel([item.greatest_depth, item.residual_depth])
-        blow = sheet_of_kind(PlasticIndentation(item.problem.bed, Depth(depths)).solve())
+        blow = plastic_sheet(blow_of(item))
         left = f"the dent is {with_unit(float(np.max(item.residual_depth)), 'm')} deep"
         return Sheet(
             blow.panels, height=blow.height, title=f"restitution $e$ = {float(np.max(item.restitution)):.4g}; {left}"

@@ -23,7 +23,14 @@ from winkler.problems.plastic.indentation import PlasticSolution
 from winkler.problems.plastic.line_indentation import LinePlasticIndentation, LinePlasticSolution
 from winkler.problems.plastic.strength_from_dent import StrengthFromDentSolution
 
-__all__ = ["dent_limit_sheet", "dent_strength_sheet", "line_dent_sheet", "particle_sheet", "plastic_sheet"]
+__all__ = [
+    "dent_limit_sheet",
+    "dent_strength_sheet",
+    "line_dent_sheet",
+    "loop_panels",
+    "particle_sheet",
+    "plastic_sheet",
+]
 
 Yielding = ParticleSolution | PlasticSolution
 
@@ -49,14 +56,14 @@ class _Leg(NamedTuple):
 @without_extent(ParticleSolution)
 def particle_sheet(item: ParticleSolution) -> Sheet:
     """Return force and contact radius over the depth: going in, coming out, and where yield begins."""
-    panels = titled(_loop_panels(item, "depth (overlap)"), *LOOP_TITLES)
+    panels = titled(loop_panels(item, "depth (overlap)"), *LOOP_TITLES)
     return Sheet(panels, height=3.5, title=_headline(item))
 
 
 @without_extent(PlasticSolution)
 def plastic_sheet(item: PlasticSolution) -> Sheet:
     """Return force and contact radius over the depth, and the dent under the greatest load and after it."""
-    loop = _loop_panels(item, "depth")
+    loop = loop_panels(item, "depth")
     if float(np.max(item.dissipation, initial=0.0)) == 0.0:
         return Sheet(titled(loop, *LOOP_TITLES), height=3.5, title="elastic: no body yields along this path")
     begun = (
@@ -147,7 +154,7 @@ def _dent_panel(item: PlasticSolution) -> Panel:
     return Panel(marks, PanelAxis("$r$", scale_of("m", [edge])), upright, legend="upper center")
 
 
-def _loop_panels(item: Yielding, across: str) -> tuple[Panel, Panel]:
+def loop_panels(item: Yielding, across: str) -> tuple[Panel, Panel]:
     """Return force and contact radius over the depth, which is called so."""
     legs = _legs(item)
     force, radius = _panel(item, legs, "force", across), _panel(item, legs, "radius", across)

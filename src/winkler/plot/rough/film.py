@@ -1,36 +1,39 @@
-"""Films of sheared and rolling height maps: stick, slip and traction at each state of their history."""
+"""Films of solutions: stick, slip and traction of height maps that are sheared or roll, and dents of metals."""
 
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
 from winkler.numerics.types import Array
-from winkler.plot.animation import PER_SECOND, animated
+from winkler.plot.animation import MOST_FRAMES, PER_SECOND, animated, spread
 from winkler.plot.marks import Map
 from winkler.plot.panel import NO_CONTACT, Panel, Sheet, titled
+from winkler.plot.particles.dent_film import dent_sheets, pressed_of
 from winkler.plot.rough.shear import Zones, frame_of, traction_maps
 from winkler.problems.subsurface.traction_frames import TractionFrame, frame_at
 from winkler.values.errors import InvalidInput
 from winkler.values.readable import scale_of
 
-__all__ = ["film", "film_panels", "film_sheet", "has_film"]
+__all__ = ["film", "film_panels", "film_sheet", "film_sheets", "has_frames"]
 
 
-def has_film(item: Any) -> bool:
+def has_frames(item: Any) -> bool:
     """Return whether a solution has frames of a history."""
     return len(getattr(item, "frames", ())) > 0
 
 
 def film(item: Any, *, per_second: float = PER_SECOND, form: str = "gif") -> bytes:
-    """Return the history of a sheared or rolling height map as an animated GIF or an MP4 video.
+    """Return the history of a solution as an animated GIF or an MP4 video.
 
     Parameters
     ----------
-    item : SurfaceTangentialSolution, SurfaceRollingSolution or SurfaceRollingStartSolution
-        With frames of its states.
+    item : SurfaceTangentialSolution, SurfaceRollingSolution, SurfaceRollingStartSolution, PlasticSolution, \
+DentLimitSolution, StrengthFromDentSolution or PlasticImpactSolution
+        Of height maps with frames of its states; of an impact with one velocity.
     per_second : float, optional
         States shown in a second.
     form : str, optional
@@ -44,14 +47,24 @@ def film(item: Any, *, per_second: float = PER_SECOND, form: str = "gif") -> byt
     Raises
     ------
     InvalidInput
-        If the solution has no frames, nothing is shown in a second, or no program writes videos.
+        If the solution has no frames, the dent is not round or one of many, nothing is shown in a second, or no program
+        writes videos.
     """
-    if not has_film(item):
+    sheets = film_sheets(item, len(item.frames) if has_frames(item) else MOST_FRAMES)
+    if sheets is None:
         raise InvalidInput(
-            f"film: {type(item).__name__} has no frames; give a solution of SurfaceTangential, SurfaceRolling or "
-            "SurfaceRollingStart."
+            f"film: {type(item).__name__} has no frames; give a solution of SurfaceTangential, SurfaceRolling, "
+            "SurfaceRollingStart, PlasticIndentation or PlasticImpact."
         )
-    return animated((film_sheet(item, frame.index) for frame in item.frames), per_second=per_second, form=form)
+    return animated(sheets, per_second=per_second, form=form)
+
+
+def film_sheets(item: Any, most: int) -> Iterator[Sheet] | None:
+    """Return at most so many sheets of the film that a solution has; none if it has no film of its own."""
+    if has_frames(item):
+        return (film_sheet(item, item.frames[place].index) for place in spread(len(item.frames), most))
+    pressed = pressed_of(item)
+    return None if pressed is None else dent_sheets(pressed, most)
 
 
 def film_sheet(item: Any, index: int) -> Sheet:

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.plot import method
-from winkler.plot.rough.film import film_panels, has_film
+from winkler.plot.rough.film import film_panels, has_frames
 from winkler.plot.wear.wear import moment_panels
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.answer import is_recovering, is_worn
@@ -132,7 +132,7 @@ def pictures(shown_scene: Scene) -> Iterator[InteractivePicture]:
         yield from method_pictures(contact, view)
     if shown_scene.states and is_worn(shown_scene.states[shown_scene.moment]):
         yield from _worn(shown_scene.states, shown_scene.moment)
-    if shown_scene.moment >= 0 and has_film(shown_scene.point.solution):
+    if shown_scene.moment >= 0 and has_frames(shown_scene.point.solution):
         yield from _zones(shown_scene.point.solution, shown_scene.moment)
     caption = answer_of(shown_scene.point.problem).picture
     if caption is not None and is_live(shown_scene.outcome):

@@ -8,11 +8,12 @@ from typing import Any
 
 import numpy as np
 
+from winkler.plot.animation import MOST_FRAMES, spread
 from winkler.plot.marks import Facets
 from winkler.plot.method import pressure
 from winkler.plot.normal.body import contact_panel
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, points, titled
-from winkler.plot.rough.film import film_sheet, has_film
+from winkler.plot.rough.film import film_sheets
 from winkler.plot.series import name_in_words, series
 from winkler.plot.wear.wear import moment_panels
 from winkler.problems.answer import is_dragged, is_recovering, is_worn
@@ -26,7 +27,6 @@ from winkler.web.pictures.view import View, fitting
 
 __all__ = ["frames_of"]
 
-MOST_FRAMES = 24
 SPRINGS = "springs"
 """Title of their panel, which keeps its frame by itself."""
 BEYOND = 0.05
@@ -48,9 +48,9 @@ def frames_of(point: SolvedPoint, *, most: int | None = None) -> Iterator[Sheet]
         If the answer has one state alone, or no contact that could be drawn.
     """
     most = MOST_FRAMES if most is None else most
-    if has_film(point.solution):
-        states = point.solution.frames
-        yield from (film_sheet(point.solution, states[place].index) for place in _spread(len(states), most))
+    own = film_sheets(point.solution, most)
+    if own is not None:
+        yield from own
         return
     moments = moments_of(point)
     if moments.total < 2:
@@ -58,7 +58,7 @@ def frames_of(point: SolvedPoint, *, most: int | None = None) -> Iterator[Sheet]
             f"film: a {type(point.problem).__name__} of one load does not move; give a path, times, cycles or a list "
             "of loads."
         )
-    chosen = _spread(moments.total, most)
+    chosen = spread(moments.total, most)
     if moments.states and is_worn(moments.states[0]):
         for moment in chosen:
             panels = titled(moment_panels(moments.states, moment), "worn profile", "worn depth", "pressure")
@@ -77,11 +77,6 @@ def frames_of(point: SolvedPoint, *, most: int | None = None) -> Iterator[Sheet]
         )
         panels = (*shown, *_course(point, moment))
         yield Sheet(panels, min(len(panels), 2), width=4.2, title=_title(point, moments, moment))
-
-
-def _spread(total: int, most: int) -> list[int]:
-    """Return at most so many places of all, the first and the last ones among them."""
-    return [int(one) for one in np.unique(np.linspace(0, total - 1, min(total, most)).round().astype(int))]
 
 
 def _view(contacts: list[Any]) -> View:
