@@ -35,6 +35,8 @@ class Topography:
         Radius of the tip that has scanned it [m], which rounds what is sharper; zero if it is not known, or none has.
     removed : str, optional
         What was taken out of the measured heights, in words; `without_spikes` and `levelled` write it.
+    reading : str, optional
+        How the heights came from points off a grid, in words; `read_topography` writes it.
 
     Raises
     ------
@@ -55,6 +57,7 @@ class Topography:
     periodic: bool = False
     tip_radius: Annotated[float, NON_NEGATIVE] = dataclasses.field(default=0.0, kw_only=True)
     removed: str = dataclasses.field(default="", kw_only=True)
+    reading: str = dataclasses.field(default="", kw_only=True)
 
     def __post_init__(self) -> None:
         heights = np.asarray(self.heights)
@@ -126,7 +129,9 @@ class Topography:
     def _with(self, heights: Array, lengths: Array | None = None, periodic: bool | None = None) -> Topography:
         """Return other heights measured by the same tip."""
         sides, repeated = self.lengths if lengths is None else lengths, self.periodic if periodic is None else periodic
-        return Topography(heights, sides, repeated, tip_radius=self.tip_radius, removed=self.removed)
+        return Topography(
+            heights, sides, repeated, tip_radius=self.tip_radius, removed=self.removed, reading=self.reading
+        )
 
     def detrended(self, order: int = 1) -> Topography:
         """Return the map without its mean (0), a plane (1) or a paraboloid (2), fitted by least squares.

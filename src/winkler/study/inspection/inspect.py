@@ -25,7 +25,6 @@ from winkler.io.indenter_file import AREA, read_indenter
 from winkler.io.indenter_file import DEPTH as CONTACT_DEPTH
 from winkler.io.instruments.find import METHOD, states_curves
 from winkler.io.placed_curves import UnreadCurve
-from winkler.io.tables.column import Column
 from winkler.io.tables.curve_table import DEPTH, FORCE, RESULTS, is_curve_table
 from winkler.io.tables.given_units import LACKS_UNIT
 from winkler.io.tables.header import bare_columns, header_lines, names_columns
@@ -42,7 +41,7 @@ from winkler.materials.relaxation_data import CreepData, DynamicData, Relaxation
 from winkler.materials.sweeps import DynamicSweeps
 from winkler.profiles.rough.line_scan import LineScan
 from winkler.study.batch.pool import Machine, completed
-from winkler.study.inspection.file_kinds import GENERAL, HELD, SPECIFIC, AreaTable, HeldTable, TableKind
+from winkler.study.inspection.file_kinds import GENERAL, HELD, REDUCED, SPECIFIC, AreaTable, HeldTable, TableKind
 from winkler.study.inspection.inspection import InspectedColumn, Inspection, columns_of
 from winkler.study.inspection.logs import log_doubts, log_lines
 from winkler.study.inspection.starting import starting_study
@@ -71,8 +70,6 @@ OWN_NAMES = (
 NO_UNIT_OF_MAP = "does not state the unit of its heights"
 MOST_OF_TABLE = 24
 """Columns of bare numbers that may be a table and no map."""
-REDUCED = Column("reduced modulus", ("er", "reduced modulus"), "Pa")
-"""In lists of results."""
 OF_MODULI = ("storage and loss", "storage and loss at several temperatures")
 SCAN = (PLACE_COLUMN, HEIGHT_COLUMN)
 TIPS = {".toml"}
