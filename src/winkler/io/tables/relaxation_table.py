@@ -134,14 +134,17 @@ MODULI: tuple[tuple[Column, Column, bool, Callable[[Array, Array], tuple[Array, 
 """Pairs of columns, whether they are of tension, and storage and loss from them."""
 SAME_MODULUS = 0.2
 """Greatest difference of moduli at one time or frequency that are averaged, in parts of the greater,"""
-NEAR = 5
-"""or the scatter of as many before and behind: their greatest distance from the line between their neighbours."""
+NEAR, DEVIATIONS, MOST_APART = 10, 3.0, 0.5
+"""or of so many standard deviations of a difference, by the scatter of as many rows before and behind that stand once,
+and in parts of the greater at most."""
 MOST_LEFT_OUT = 0.2
 """Greatest share of rows whose moduli are not positive, as noise makes small ones, and that are left out."""
+NORMAL_MEDIAN = 0.6745
+"""Median of the size of a normal deviation, over the standard one."""
 HELD = 0.1
 """Greatest deviation of a stress or strain that is held, relative to its median."""
 STRAINED = (TIME, STRAIN, STRESS)
-HELD_STRESS = '; of a creep, where no column holds the stress, give stress = "10 Pa"'
+HELD_STRESS = '; of a creep, where no column holds the stress, give held_stress = "10 Pa"'
 RELAXATION_HEADERS = ((TIME, SHEAR_MODULUS), (TIME, YOUNG_MODULUS), STRAINED)
 CREEP_HEADERS = ((TIME, SHEAR_COMPLIANCE), (TIME, TENSILE_COMPLIANCE), STRAINED)
 DYNAMIC_HEADERS = tuple((frequency, *one[:2]) for frequency in (ANGULAR, FREQUENCY) for one in MODULI)
@@ -280,7 +283,7 @@ def read_relaxation(
 
 @reader("a creep")
 def read_creep(
-    path: str | os.PathLike[str], *, poisson: float = 0.5, header: str = "", test: int = 0, stress: float = 0.0
+    path: str | os.PathLike[str], *, poisson: float = 0.5, header: str = "", test: int = 0, held_stress: float = 0.0
 ) -> CreepData:
     """Read a measured creep from a table with the columns time (t) and compliance (j), or tensile_compliance (d).
 
@@ -298,7 +301,7 @@ def read_creep(
     test : int, optional
         Which of several tests in one table, counted from 1: side by side, below each other under headers that stand
         again, where the numbers of the points begin again, or in sheets of one workbook.
-    stress : float, optional
+    held_stress : float, optional
         Shear stress that is held [Pa], where a column holds the shear strain and none the stress.
 
     Returns
@@ -312,12 +315,12 @@ def read_creep(
     """
 
     def read(part: str | os.PathLike[str]) -> CreepData:
-        if stress:
-            if not 0.0 < stress < math.inf:
-                raise InvalidInput(f"{part}: the stress of its creep is {stress:g} Pa; give a positive one.")
+        if held_stress:
+            if not 0.0 < held_stress < math.inf:
+                raise InvalidInput(f"{part}: the stress of its creep is {held_stress:g} Pa; give a positive one.")
             time, strain = moduli_table(part, STRAINED[:2], header).values.T
-            reading = f"compliance = strain / {stress:g} Pa, given"
-            return _data(CreepData, str(part), (time, strain / (100.0 * stress)), poisson, reading)
+            reading = f"compliance = strain / {held_stress:g} Pa, given"
+            return _data(CreepData, str(part), (time, strain / (100.0 * held_stress)), poisson, reading)
         table, columns = _read(part, CREEP_HEADERS, header)
         if columns is STRAINED:
             time, strain, held = table.values.T
@@ -412,11 +415,13 @@ def _data(kind: Callable[..., T], path: str, rows: tuple[np.ndarray, ...], poiss
         highest, lowest = (of_each.reduceat(moduli, begins, axis=1) for of_each in (np.maximum, np.minimum))
         counts = np.diff(begins, append=sorted_rows.shape[1])
         means = np.add.reduceat(moduli, begins, axis=1) / counts
-        apart, alike = highest - lowest, SAME_MODULUS * np.abs(highest)
-        if np.all(apart <= np.maximum(alike, _scatter(means))):
+        scatter = DEVIATIONS * math.sqrt(2.0) * _scatter(np.where(counts == 1, means, math.nan))
+        alike = np.maximum(SAME_MODULUS, np.minimum(1.0 - np.exp(-scatter), MOST_APART))
+        apart = highest - lowest
+        if np.all(apart <= alike * np.abs(highest)):
             again, size = int(np.count_nonzero(counts > 1)), "frequencies" if kind is DynamicData else "times"
             averaged = f"{counts[counts > 1].sum()} rows at {again} {size} are averaged"
-            if np.any(apart > alike):
+            if np.any(apart > SAME_MODULUS * np.abs(highest)):
                 averaged += f", up to {np.max(apart / np.abs(highest)):.0%} apart, as the rows around them scatter"
             reading = f"{reading}; {averaged}" if reading else averaged
             sorted_rows = np.vstack([sorted_rows[0, begins], means])
@@ -424,9 +429,15 @@ def _data(kind: Callable[..., T], path: str, rows: tuple[np.ndarray, ...], poiss
         return kind(*sorted_rows, poisson=poisson, reading=reading)
 
 
-def _scatter(means: Array) -> Array:
-    """Return how far numbers nearby lie from the line between their neighbours, at most, ``(m, n)``."""
-    bends = np.abs(np.diff(means, 2, axis=1)) / 2.0
-    padded = np.pad(bends, ((0, 0), (NEAR + 1, NEAR + 1)))
-    windows = np.lib.stride_tricks.sliding_window_view(padded, 2 * NEAR + 1, axis=1)
-    return np.asarray(windows.max(axis=-1)[:, : means.shape[1]])
+def _scatter(numbers: Array) -> Array:
+    """Return the standard deviation of the logarithms of numbers nearby ``(m, n)``, zero where none is known.
+
+    Their distances from the line between both neighbours have 3/2 of their variance; the median of these is taken.
+    """
+    if numbers.shape[1] < 3 or np.any(numbers <= 0.0):
+        return np.zeros(numbers.shape)
+    sizes = np.abs(np.diff(np.log(numbers), 2, axis=1)) / 2.0
+    bends = np.pad(sizes, ((0, 0), (NEAR + 1, NEAR + 1)), constant_values=math.nan)
+    windows = np.lib.stride_tricks.sliding_window_view(bends, 2 * NEAR + 1, axis=1)
+    middle = np.ma.median(np.ma.masked_invalid(windows), axis=-1)
+    return np.asarray(np.ma.filled(middle, 0.0)) / (NORMAL_MEDIAN * math.sqrt(1.5))
