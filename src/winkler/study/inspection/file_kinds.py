@@ -199,5 +199,6 @@ GENERAL = (
         "cross_profile",
     ),
     TableKind(HELD, ((TIME, held_force_table.FORCE),), _held, ""),
+    TableKind("creep", (relaxation_table.STRAINED[:2],), relaxation_table.read_creep, "creep"),
 )
 """Tables that are sought where a file is no force curve."""
