@@ -400,3 +400,41 @@ def test_what_lacks_is_named_by_its_key(tmp_path):
     assert "give spring_constant in N/m and sensitivity in m/V" in inspect_file(lever).reason
     curve = read_curve(lever, spring_constant=2.0, sensitivity=1e-6)
     assert curve.force.max() == pytest.approx(2.0 * 1e-6 * 0.04)
+
+
+TRAVEL = np.linspace(0.0, 2.0, 50)
+
+
+@pytest.mark.parametrize(
+    ("header", "rigid"),
+    [
+        ("Temps [sec];Force [N];Stroke [mm]", True),
+        ("Temps [s];Force [N];Course_Traverse [mm]", True),
+        ("C_1_Temps[s];C_1_Force[N];C_1_Stroke[mm]", True),
+        ("C_1_Temps[s];C_1_Force[N];C_1_Déplacement[mm]", False),
+        ("Zeit [s];Kraft [N];Verschiebung [mm]", False),
+        ("Tiempo [s];Fuerza [N];Desplazamiento [mm]", False),
+        ("Tempo [s];Force [N];Spostamento [mm]", False),
+    ],
+)
+def test_travels_of_testing_machines_in_their_words(tmp_path, header, rigid):
+    """The travel of the crosshead is that of the tip; of other positions the bending of a spring may be unknown."""
+    file = _file(tmp_path, [header], [10.0 * TRAVEL, 3.0 * TRAVEL**1.5, TRAVEL], separator=";")
+    if not rigid:
+        with pytest.raises(
+            InvalidInput, match="give spring_constant in N/m, infinite where the position is the travel"
+        ):
+            read_curve(file)
+    curve = read_curve(file, spring_constant=None if rigid else np.inf)
+    assert curve.position[-1] == pytest.approx(2e-3)
+    assert curve.force[-1] == pytest.approx(3.0 * 2.0**1.5)
+    assert inspect_file(file).taken_for in ({"force curve", "nanoindentation"} if rigid else {""})
+
+
+def test_a_list_of_greatest_forces_and_depths_is_named(tmp_path):
+    """Its columns E_1 and E_3 were named as two moduli of a relaxation, for T (C) is no time."""
+    header = ["Case,hc(nm),Pmax(uN),hmax(um),H(GPa),T (C),E_1,E_3"]
+    columns = [np.arange(30.0), DEPTH[1:31], DEPTH[1:31], DEPTH[1:31], DEPTH[1:31], *[np.ones(30)] * 3]
+    found = inspect_file(_file(tmp_path, header, columns))
+    assert not found.is_read
+    assert "read as list of results: its header names the greatest force and the greatest depth" in found.reason

@@ -43,6 +43,11 @@ __all__ = ["ASSUMED_POISSON", "GENERAL", "HELD", "SPECIFIC", "AreaTable", "HeldT
 Header = tuple[Column, ...]
 REDUCED = Column("reduced modulus", ("er", "reduced modulus"), "Pa")
 """In lists of results."""
+GREATEST = (
+    Column("greatest force", ("pmax", "fmax", "max load", "max. load", "maximum load", "peak load", "max force"), "N"),
+    Column("greatest depth", ("hmax", "max depth", "max. depth", "maximum depth", "peak depth"), "m"),
+)
+"""In lists of results, and in no curve."""
 HELD = "force over time of a hold"
 ASSUMED_POISSON = 0.3
 """Of a grading whose table has no Poisson's ratio; the study to start from states it."""

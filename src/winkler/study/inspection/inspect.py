@@ -41,7 +41,16 @@ from winkler.materials.relaxation_data import CreepData, DynamicData, Relaxation
 from winkler.materials.sweeps import DynamicSweeps
 from winkler.profiles.rough.line_scan import LineScan
 from winkler.study.batch.pool import Machine, completed
-from winkler.study.inspection.file_kinds import GENERAL, HELD, REDUCED, SPECIFIC, AreaTable, HeldTable, TableKind
+from winkler.study.inspection.file_kinds import (
+    GENERAL,
+    GREATEST,
+    HELD,
+    REDUCED,
+    SPECIFIC,
+    AreaTable,
+    HeldTable,
+    TableKind,
+)
 from winkler.study.inspection.inspection import InspectedColumn, Inspection, columns_of
 from winkler.study.inspection.logs import log_doubts, log_lines
 from winkler.study.inspection.starting import starting_study
@@ -70,6 +79,10 @@ OWN_NAMES = (
 NO_UNIT_OF_MAP = "does not state the unit of its heights"
 MOST_OF_TABLE = 24
 """Columns of bare numbers that may be a table and no map."""
+OF_GREATEST = (
+    "its header names the greatest force and the greatest depth, one of each test, as in a table of results, which is "
+    "no curve; give the curves themselves."
+)
 OF_MODULI = ("storage and loss", "storage and loss at several temperatures")
 SCAN = (PLACE_COLUMN, HEIGHT_COLUMN)
 TIPS = {".toml"}
@@ -231,6 +244,8 @@ def _as_table_or_curve(file: Path, *, brief: bool) -> Inspection | list[tuple[st
         found = _by_header(file, head, kind, reasons)
         if found is not None:
             return found
+    if head and names_columns(file, GREATEST, head=head):
+        return [("list of results", f"{file}: {OF_GREATEST}"), *reasons]
     lacks = any(one in curve.reason for one in ((LACKS_UNIT, METHOD, BENDING) if head else (LACKS_UNIT,)))
     own = "" if is_curve or lacks or reasons or bare_columns(file) < 2 else OWN_NAMES
     of_curve = ("force curve", curve.reason.rstrip(".") + own if own else curve.reason)
