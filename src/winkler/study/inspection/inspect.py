@@ -74,7 +74,8 @@ NO_PLACES = (
     "--channel, the name of another column."
 )
 OWN_NAMES = (
-    "; if a column holds heights at equal steps, give --channel, its name, --lengths '4 mm', of the scan, and --unit."
+    f"; of moduli {BARE_MODULI}; if a column holds heights at equal steps, give --channel, its name, --lengths '4 mm', "
+    "of the scan, and --unit."
 )
 NO_UNIT_OF_MAP = "does not state the unit of its heights"
 MOST_OF_TABLE = 24
