@@ -88,8 +88,7 @@ def curves_of_test(test: InstrumentTest, path: object, given: GivenFacts) -> lis
         raise InvalidInput(f"{where}: {np.count_nonzero(usable)} rows hold depth and force; it needs at least 2.")
     depth, force = numbers["depth"][usable], numbers["force"][usable]
     if "time" not in chosen:
-        names = [chosen[role].name for role in NEEDED]
-        refuse_list(where, names, depth, force, results=_has_results(test))
+        refuse_list(where, [chosen[role].name for role in NEEDED], depth, force, results=_has_results(test))
     of_depth, of_force, turned = signs(depth, force)
     depth, force = of_depth * depth, of_force * force
     time = numbers["time"][usable] if "time" in numbers else np.zeros(0)

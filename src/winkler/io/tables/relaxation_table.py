@@ -439,5 +439,7 @@ def _scatter(numbers: Array) -> Array:
     sizes = np.abs(np.diff(np.log(numbers), 2, axis=1)) / 2.0
     bends = np.pad(sizes, ((0, 0), (NEAR + 1, NEAR + 1)), constant_values=math.nan)
     windows = np.lib.stride_tricks.sliding_window_view(bends, 2 * NEAR + 1, axis=1)
-    middle = np.ma.median(np.ma.masked_invalid(windows), axis=-1)
-    return np.asarray(np.ma.filled(middle, 0.0)) / (NORMAL_MEDIAN * math.sqrt(1.5))
+    known = np.any(np.isfinite(windows), axis=-1)
+    middle = np.zeros(numbers.shape)
+    middle[known] = np.nanmedian(windows[known], axis=-1)
+    return middle / (NORMAL_MEDIAN * math.sqrt(1.5))
