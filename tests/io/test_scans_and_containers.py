@@ -211,7 +211,7 @@ def test_files_of_too_few_points_are_refused_without_words_of_a_library(name, en
 @pytest.mark.slow
 def test_the_library_of_instruments_warns_nobody(tmp_path):
     """It says in a new process that mpi4py is not there."""
-    file = tmp_path / "short.txt"
+    file = tmp_path / "short.opd"
     file.write_text("0 0\n", encoding="utf-8")
     code = f"import winkler as wk\ntry: wk.read_scan({str(file)!r}, unit='um')\nexcept wk.InvalidInput as e: print(e)"
     ended = subprocess.run([sys.executable, "-W", "error", "-c", code], capture_output=True, text=True, check=False)

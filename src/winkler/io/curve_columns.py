@@ -26,6 +26,8 @@ CROSSHEAD_NAMES = (
     "course standard",
     "recorrido estándar",
     "corsa standard",
+    "stroke",
+    "course traverse",
 )
 """Travel of a testing machine, which has no cantilever."""
 POSITION_NAMES = (
@@ -41,6 +43,10 @@ POSITION_NAMES = (
     *CROSSHEAD_NAMES,
     "weg",
     "allongement",
+    "déplacement",
+    "verschiebung",
+    "desplazamiento",
+    "spostamento",
     "位移",
     "変位",
 )

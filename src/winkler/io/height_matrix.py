@@ -19,7 +19,15 @@ from winkler.values.errors import InvalidInput
 from winkler.values.limits import HEADER_LINES, MOST_NUMBERS
 from winkler.values.units import quantity
 
-__all__ = ["MapContents", "array_map", "point_map", "points_on_grid", "refuse_many", "refuse_table", "text_map"]
+__all__ = [
+    "MapContents",
+    "array_map",
+    "point_map",
+    "points_on_grid",
+    "refuse_many",
+    "refuse_table",
+    "text_map",
+]
 
 LEAST_ROWS = 4
 """Fewest rows and columns of a map; a smaller matrix is a scan, or a list of points."""
@@ -33,6 +41,18 @@ SAME_PLACE = 1e-5
 """Greatest distance of points that are in one row of a grid, relative to its length."""
 UNEVEN = 0.05
 """Greatest deviation of the distance of two rows from the mean."""
+SHAPES, LEAST_LINES = 24, 16
+"""Most doublings of the length over the width of a pixel, and fewest pixels along a side then."""
+CLEARLY_MORE = 1.25
+"""Least part of pixels with a point, over that of square ones, for another shape: scan lines are closer along them."""
+LEAST_HELD = 0.3
+"""Least part of pixels that hold a point: 0.63 at random places of a rectangle, at most 0.25 along four curves."""
+MOST_SCATTER = 0.5
+"""Greatest mean square difference of neighbouring heights, in parts of that of any two."""
+FARTHEST = 2.0
+"""Greatest distance of a pixel from a point, in pixels; beyond it the height is missing."""
+MOST_SCATTERED = 2_000_000
+"""Most points off a grid; those of a million take some ten seconds."""
 NO_HEIGHT = "is no height; give a matrix of numbers, nan where they are missing"
 HEADER = re.compile(r"#\s*+(Width|Height|Value units)\s*+:(.*)")
 """Header lines that Gwyddion writes above a matrix."""
@@ -58,6 +78,8 @@ class MapContents(NamedTuple):
         Radius of the tip that has measured it, and its unit; zero where the file does not state it.
     length_unit
         Of lengths, where the file states it and not that of heights.
+    reading
+        Of which points off a grid, between which the heights are; empty where these are those of the file.
     """
 
     heights: Array
@@ -67,6 +89,7 @@ class MapContents(NamedTuple):
     tip_radius: float = 0.0
     tip_unit: str = ""
     length_unit: str = ""
+    reading: str = ""
 
 
 def text_map(path: Path) -> MapContents:
@@ -84,8 +107,8 @@ def text_map(path: Path) -> MapContents:
         raise InvalidInput(f"{path}: there are no heights; give a matrix, one row in a line.")
     separator = next((mark for mark in ("\t", ";", ",") if mark in numbered[0][1].strip()), None)
     heights = _rows(path, numbered, separator)
-    if heights.shape[1] == POINT_CELLS and (grid := points_on_grid(heights)) is not None:
-        return grid
+    if heights.shape[1] == POINT_CELLS and len(heights) >= LEAST_ROWS**2:
+        return point_map(path, heights)
     if min(heights.shape) < LEAST_ROWS:
         rows, columns = heights.shape
         raise InvalidInput(
@@ -123,34 +146,100 @@ def refuse_table(path: Path, heights: Array) -> None:
         )
 
 
-def point_map(path: Path, points: Array) -> MapContents:
-    """Return the map of a list of points x, y, z [m].
+def point_map(path: Path, points: Array, *, joined: bool = False) -> MapContents:
+    """Return the map of points x, y, z ``(n, 3)``, without a unit: theirs on a full grid, else heights between them.
+
+    Parameters
+    ----------
+    path : path
+        For messages.
+    points : ndarray, (n, 3)
+    joined : bool, optional
+        Whether they are the corners of one surface; else they may be no surface at all, and are examined.
 
     Raises
     ------
     InvalidInput
-        If they are on no regular grid.
+        If they are too many, lie along a curve, leave most of their rectangle empty, or have several heights at one
+        place.
     """
-    grid = points_on_grid(points)
-    if grid is None:
+    if (grid := points_on_grid(points)) is not None:
+        return grid
+    from scipy.interpolate import LinearNDInterpolator
+    from scipy.spatial import KDTree, QhullError
+
+    points = points[np.all(np.isfinite(points), axis=1)]
+    places, which, counts = np.unique(points[:, :2], axis=0, return_inverse=True, return_counts=True)
+    what = f"{path}: its {len(points)} points x, y, z are no map, for"
+    remedy = "give points all over a rectangle, or heights on a grid of your own"
+    if len(places) > MOST_SCATTERED:
         raise InvalidInput(
-            f"{path}: its {len(points)} points are on no full, even grid of at least {LEAST_ROWS} x {LEAST_ROWS}; "
-            "interpolate the heights on one."
+            f"{path}: {len(places)} points are off a grid; at most {MOST_SCATTERED} are read: thin them out."
         )
-    return grid._replace(unit="m")
+    sides = np.ptp(places, axis=0) if len(places) else np.zeros(2)
+    if (len(places) < LEAST_ROWS**2 and not joined) or not np.all(sides > 0.0):
+        raise InvalidInput(f"{what} they are on one line, or fewer than {LEAST_ROWS**2}; {remedy}.")
+    heights = np.bincount(which.ravel(), points[:, 2]) / counts
+    parts = (places - places.min(axis=0)) / sides
+    count, held = _pixels(parts, sides)
+    if min(count) < LEAST_ROWS and not joined:
+        raise InvalidInput(f"{what} they are close to one line; {remedy}.")
+    if held < LEAST_HELD and not joined:
+        raise InvalidInput(f"{what} as many pixels as points would be {1.0 - held:.0%} empty; {remedy}.")
+    known, tree = parts * count, KDTree(parts * count)
+    difference = heights - heights[tree.query(known, k=2)[1][:, 1]]
+    if not joined and float(np.mean(difference**2)) > MOST_SCATTER * 2.0 * float(np.var(heights)):
+        raise InvalidInput(
+            f"{what} heights of neighbours differ nearly as much as any two, as on a body with two sides; {remedy}."
+        )
+    centres = np.stack(np.meshgrid(*(np.arange(one) + 0.5 for one in count), indexing="ij"), axis=-1)
+    try:
+        between = LinearNDInterpolator(known, heights)(centres)
+    except QhullError:
+        raise InvalidInput(f"{what} they are on one line; {remedy}.") from None
+    filled = np.where(tree.query(centres)[0] > FARTHEST, math.nan, between)
+    twice = f", {len(points) - len(places)} of them at the place of another, averaged" * (len(places) < len(points))
+    return MapContents(filled, sides, "", reading=f"{len(points)} points off a grid{twice}")
+
+
+def _pixels(parts: Array, sides: Array) -> tuple[Array, float]:
+    """Return how many pixels, about as many as places, a grid has along each side, and the part of them with a place.
+
+    Of all shapes of a pixel the one is taken by which most hold a place, if they are clearly more than of squares.
+
+    Parameters
+    ----------
+    parts : ndarray, (n, 2)
+        Places, in parts of the sides.
+    sides : ndarray, (2,)
+    """
+
+    def grid(shape: float) -> tuple[Array, float]:
+        most = np.sqrt(len(parts) * shape * np.array([sides[0] / sides[1], sides[1] / sides[0] / shape**2]))
+        count = np.clip(np.rint(most), 1, len(parts)).astype(int)
+        cells = np.minimum((parts * count).astype(int), count - 1)
+        holds = np.zeros(count, dtype=bool)
+        holds[cells[:, 0], cells[:, 1]] = True
+        return count, float(np.mean(holds))
+
+    with np.errstate(over="ignore"):
+        square, *others = (grid(2.0 ** (power / 2)) for power in (0, *range(-SHAPES, SHAPES + 1)))
+    many = [one for one in others if min(one[0]) >= LEAST_LINES]
+    best = max(many, key=lambda one: one[1], default=square)
+    return best if best[1] > CLEARLY_MORE * square[1] else square
 
 
 def points_on_grid(points: Array) -> MapContents | None:
-    """Return the map of a list of points x, y, z ``(n, 3)``, in any order; None if they are on no full, even grid."""
+    """Return the map of points x, y, z ``(n, 3)`` on an even grid, nan where it has none; None if they are on none."""
     x, y, z = points.T
     along_x, along_y = _axis(x), _axis(y)
-    if along_x is None or along_y is None or points.shape[0] != along_x[0] * along_y[0]:
+    if along_x is None or along_y is None or points.shape[0] < LEAST_HELD * along_x[0] * along_y[0]:
         return None
     (columns, step_x), (rows, step_y) = along_x, along_y
     cells = np.rint((x - x.min()) / step_x).astype(int) * rows + np.rint((y - y.min()) / step_y).astype(int)
     if np.unique(cells).size != cells.size:
         return None
-    heights = np.empty(cells.size)
+    heights = np.full(columns * rows, math.nan)
     heights[cells] = z
     return MapContents(heights.reshape(columns, rows), np.array([columns * step_x, rows * step_y]), "")
 

@@ -6,11 +6,14 @@ taken for force, and force for position, gives m <= 1: a concave loading.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from winkler.numerics.types import Array
+from winkler.values.errors import InvalidInput
 
-__all__ = ["is_list", "is_reversed", "signs", "swap_note"]
+__all__ = ["is_list", "is_reversed", "refuse_list", "signs", "swap_note"]
 
 CONCAVE = 0.58
 """Force at half of the depth over the greatest: 0.5 for a punch, 0.35 for a ball, 0.25 for a cone; swapped 0.5 to 1."""
@@ -19,6 +22,9 @@ WINDOW = 0.03
 FEWEST = 10
 FOLLOWS = 0.8
 """Least correlation of a number with the one of the next row in a curve."""
+TO_AND_FRO, LEAP = 0.4, 0.02
+"""Least part of rows of a list at which its position turns, two thirds by chance, and least mean step over its range.
+"""
 AGAINST = -0.2
 """Greatest correlation of force and position where one of them has the wrong sign."""
 STEEP_END, END_PART = 3.0, 0.25
@@ -55,11 +61,47 @@ def swap_note(position: Array, force: Array) -> str:
     )
 
 
-def is_list(position: Array, force: Array) -> bool:
-    """Return whether rows are no curve but a list, such as the results of a grid of tests: no row follows the last."""
+def is_list(position: Array, force: Array, *, results: bool = False) -> bool:
+    """Return whether rows are no curve but a list, such as the results of a grid of tests: no row follows the last.
+
+    Parameters
+    ----------
+    position, force : ndarray, (n,)
+    results : bool, optional
+        Whether a modulus or a hardness stands beside them: then a position that leaps to and fro is enough, as in a
+        list with one force for a row of tests and another one for the next.
+    """
     if position.size < 2 * FEWEST:
         return False
+    steps = np.diff(position)
+    turns = float(np.mean(steps[1:] * steps[:-1] < 0.0))
+    if results and turns > TO_AND_FRO and float(np.mean(np.abs(steps))) > LEAP * float(np.ptp(position)):
+        return True
     return all(_correlation(numbers[1:], numbers[:-1]) < FOLLOWS for numbers in (position, force))
+
+
+def refuse_list(where: object, names: Sequence[str], first: Array, second: Array, *, results: bool = False) -> None:
+    """Refuse a list of results, one row for each test, in place of a curve.
+
+    Parameters
+    ----------
+    where
+        The file, for messages.
+    names : sequence of str
+        Of both columns.
+    first, second : ndarray, (n,)
+    results : bool, optional
+        As of `is_list`.
+
+    Raises
+    ------
+    InvalidInput
+    """
+    if is_list(first, second, results=results):
+        raise InvalidInput(
+            f"{where}: its rows are no curve but a list, for '{names[0]}' and '{names[1]}' do not go on from row to "
+            "row, as in a table of results, one for each test; give the curves themselves."
+        )
 
 
 def signs(position: Array, force: Array) -> tuple[float, float, str]:

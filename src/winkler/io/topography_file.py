@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import os
 from pathlib import Path
 from typing import Any
@@ -22,6 +23,7 @@ from winkler.profiles.rough.plausibility import without_marks
 from winkler.profiles.rough.topography import Topography
 from winkler.values.errors import InvalidInput
 from winkler.values.limits import TEXT_BYTES
+from winkler.values.readable import with_unit
 from winkler.values.units import scale
 
 __all__ = ["read_topography"]
@@ -33,7 +35,7 @@ POINT_COLUMNS = (
     Column("y", ("y",), "m", "um"),
     Column("height", ("z", "height", "h"), "m", "nm"),
 )
-TEXT_ENDINGS = {".csv", ".txt", ".asc", ".dat", ".tsv"}
+TEXT_ENDINGS = {".csv", ".txt", ".asc", ".dat", ".tsv", ".xyz"}
 STEEPEST_RATIO = 1e4
 """Largest ratio of root mean square height to pixel size; only mistaken units exceed it."""
 MOST_LINES_TRIED = 400_000
@@ -58,12 +60,13 @@ def read_topography(
     path : str or path
         A matrix of heights as text (tabs, semicolons, commas or spaces between; every line runs along the second
         direction; nan, nothing, or a number that instruments write for it (-25400, -9999, 1e10 ...), far from others,
-        where heights are missing; header lines of Gwyddion above a matrix are read); a list of points x, y, z on a
-        grid, with or without a header; triangles in an STL, each place with one height, whose pixels are as many as
-        corners; a simple field of Gwyddion (.gsf); an NPY file; an NPZ file with ``heights`` and, if they are known,
-        ``lengths``, ``unit`` and ``periodic``; or a file that SurfaceTopography reads (extra ``topography``): Bruker,
-        Digital Surf (compressed, too), Zygo, Gwyddion, X3P and some forty others; or a container (zip) that
-        contact.engineering has published, whose maps come as its authors prepared them.
+        where heights are missing; header lines of Gwyddion above a matrix are read); a list of points x, y, z, with or
+        without a header; triangles in an STL, each place with one height; a simple field of Gwyddion (.gsf); an NPY
+        file; an NPZ file with ``heights`` and, if they are known, ``lengths``, ``unit`` and ``periodic``; or a file
+        that SurfaceTopography reads (extra ``topography``): Bruker, Digital Surf (compressed, too), Zygo, Gwyddion,
+        X3P and some forty others; or a container (zip) that contact.engineering has published, whose maps come as its
+        authors prepared them.  Points and corners off a grid give a map of about as many pixels, with heights between
+        them by triangles; a pixel more than two pixels from any is missing, and ``reading`` says so.
     lengths : tuple of float, optional
         Lengths [m] of the map; needed where the file does not state them; they replace those of the file.
     unit : str, optional
@@ -104,7 +107,8 @@ def read_topography(
         except InvalidInput as reason:
             contents = _other_text(file, reason)
         else:
-            refuse_table(file, contents.heights)
+            if not contents.reading:
+                refuse_table(file, contents.heights)
     else:
         contents = instrument_map(file, channel)
     if not isinstance(unit, str):
@@ -129,6 +133,7 @@ def read_topography(
         tip = tip_radius or contents.tip_radius * (scale(contents.tip_unit, "m") if contents.tip_unit else 1.0)
         heights, _ = without_marks(contents.heights / per_height)
         rough = Topography(heights, map_lengths, periodic or contents.periodic, tip_radius=tip)
+        rough = dataclasses.replace(rough, reading=_reading_of(rough, contents.reading))
     steep = rough.rms_height / min(rough.pixel)
     if steep > STEEPEST_RATIO:
         raise InvalidInput(
@@ -139,10 +144,19 @@ def read_topography(
     return rough
 
 
+def _reading_of(rough: Topography, points: str) -> str:
+    """Return how heights came from points off a grid; empty of others."""
+    if not points:
+        return ""
+    steps = " x ".join(with_unit(step, "m", 3) for step in rough.pixel)
+    filled = 1.0 - rough.missing / rough.heights.size
+    return f"heights between {points}, on pixels of {steps}; {filled:.0%} of them have a height"
+
+
 def _other_text(file: Path, reason: InvalidInput) -> MapContents:
     """Return the map of a text that is no matrix: points with a header, or a text of an instrument; else raise why."""
     if _has_points(file):
-        return point_map(file, read_table(file, POINT_COLUMNS).values)
+        return point_map(file, read_table(file, POINT_COLUMNS).values)._replace(unit="m")
     if content_of(file, TEXT_BYTES).count(b"\n") > MOST_LINES_TRIED:
         raise reason
     try:

@@ -98,3 +98,36 @@ def test_averaged_rows_are_named(tmp_path):
     assert read.shear[2] == pytest.approx(1.0 / COMPLIANCE[2])
     assert read.shear[5] == pytest.approx(1.05 / COMPLIANCE[5])
     assert read.reading in inspect_file(file).done
+
+
+def test_the_held_stress_of_a_creep_is_given_where_no_column_holds_it(tmp_path):
+    """Files of creep often hold time and strain, and state the stress above; names of empty columns may follow."""
+    for head in (["stress=10;", "t\tstrain\tstress\tT", "s\t-\tPa\tC"], ["time [s]\tstrain [1]"]):
+        file = table(tmp_path, head, [(t, 10.0 * j) for t, j in zip(TIME, COMPLIANCE, strict=True)])
+        with pytest.raises(
+            InvalidInput, match='of a creep, where no column holds the stress, give held_stress = "10 Pa"'
+        ):
+            read_creep(file)
+        read = read_creep(file, held_stress=10.0)
+        np.testing.assert_allclose(read.compliance, COMPLIANCE, rtol=1e-8)
+        assert read.reading == "compliance = strain / 10 Pa, given"
+        assert 'give held_stress = "10 Pa"' in inspect_file(file).reason
+    with pytest.raises(InvalidInput, match="the stress of its creep is -1 Pa; give a positive one"):
+        read_creep(file, held_stress=-1.0)
+
+
+@pytest.mark.parametrize(("scatter", "read"), [(0.2, True), (0.01, False)])
+def test_rows_of_one_time_are_averaged_if_rows_around_them_scatter_as_much(tmp_path, scatter, read):
+    """Two rows 30 % apart are noise beside others that scatter by 20 %, and a contradiction beside smooth ones."""
+    time = np.geomspace(0.01, 100.0, 60)
+    noise = np.exp(scatter * np.random.default_rng(3).standard_normal(60))
+    rows = list(zip(time, time**0.3 * noise, strict=True))
+    rows.insert(20, (time[20], 1.3 / 0.85 * rows[20][1]))
+    file = table(tmp_path, ["time [s]\tcompliance [1/Pa]"], rows)
+    if not read:
+        with pytest.raises(InvalidInput, match="time does not rise"):
+            read_creep(file)
+        return
+    found = read_creep(file)
+    assert found.reading == "2 rows at 1 times are averaged, up to 35% apart, as the rows around them scatter"
+    assert found.compliance[20] == pytest.approx(0.5 * (rows[20][1] + rows[21][1]))

@@ -76,6 +76,35 @@ def test_a_list_of_results_is_no_curve(tmp_path):
         read_curve(file)
 
 
+def test_a_list_with_one_force_for_many_rows_is_no_curve(tmp_path):
+    """Eleven rows of twenty tests, each row at one force: force and depth go on, but the depth leaps to and fro."""
+    random = np.random.default_rng(6)
+    force = np.repeat(np.linspace(1000.0, 10.0, 11), 20) + 0.1 * random.standard_normal(220)
+    depth = 0.3 * np.sqrt(force) * (1.0 + 0.15 * random.standard_normal(220))
+    columns = [force, depth, 17.0 + 0.0 * force, 1.0 + 0.0 * force]
+    for header in ("F (mN),h (um),E (GPa),H (GPa)", "F (mN),h (um),Er (GPa),Hardness (GPa)"):
+        with pytest.raises(InvalidInput, match="a list, for 'h .um.' and 'F .mN.' do not go on from row to row"):
+            read_curve(_file(tmp_path, [header], columns))
+    rising = np.sort(depth)
+    assert read_curve(_file(tmp_path, ["F (mN),h (um),E (GPa)"], [rising**2, rising, rising])).position.size == 220
+
+
+@pytest.mark.parametrize("written", [str, float])
+def test_a_list_in_a_workbook_with_numbers_as_text_is_no_curve(tmp_path, written):
+    """It was refused as if no row held a depth and a force."""
+    openpyxl = pytest.importorskip("openpyxl")
+    random = np.random.default_rng(7)
+    book = openpyxl.Workbook()
+    book.active.append(["No.", "F", "h", "E", "H"])
+    book.active.append(["", "mN", "um", "GPa", "GPa"])
+    for number in range(60):
+        row = [float(number), 1000.0 + random.normal(), 8.0 + random.normal(), 17.0, 1.1]
+        book.active.append([written(round(one, 3)) for one in row])
+    book.save(tmp_path / "list.xlsx")
+    with pytest.raises(InvalidInput, match="its rows are no curve but a list, for 'h' and 'F' do not go on"):
+        read_curve(tmp_path / "list.xlsx")
+
+
 def test_a_noisy_curve_is_no_list(tmp_path):
     random = np.random.default_rng(5)
     depth, force = DEPTH + 3.0 * random.standard_normal(101), FORCE + 0.05 * random.standard_normal(101)
@@ -219,8 +248,16 @@ def test_points_may_have_a_header_with_units(tmp_path):
     assert rough.heights == pytest.approx(Z.reshape(6, 5) * 1e-6)
 
 
-@pytest.mark.parametrize("fault", ["missing", "twice", "uneven"])
-def test_points_on_no_full_grid_are_refused(tmp_path, fault):
+@pytest.mark.parametrize(
+    ("fault", "reading"),
+    [
+        ("missing", ""),
+        ("twice", "30 points off a grid, 1 of them at the place of another"),
+        ("uneven", "30 points off"),
+    ],
+)
+def test_points_on_no_full_grid_are_a_map_that_says_so(tmp_path, fault, reading):
+    """A missing point is a missing height; other points give heights between them, and the reading says of which."""
     x, y, z = X.copy(), Y.copy(), Z.copy()
     if fault == "missing":
         x, y, z = x[:-1], y[:-1], z[:-1]
@@ -228,8 +265,13 @@ def test_points_on_no_full_grid_are_refused(tmp_path, fault):
         x[-1], y[-1] = x[0], y[0]
     else:
         x[x == 125.0] = 150.0
-    with pytest.raises(InvalidInput, match="are on no full, even grid"):
-        read_topography(_file(tmp_path, ["X (um),Y (um),Z (nm)"], [x, y, z]))
+    found = read_topography(_file(tmp_path, ["X (um),Y (um),Z (nm)"], [x, y, z]))
+    assert reading in found.reading
+    assert (found.reading == "") == (reading == "")
+    if not reading:
+        expected = Z.reshape(6, 5) * 1e-9
+        expected[-1, -1] = np.nan
+        assert found.heights == pytest.approx(expected, nan_ok=True)
 
 
 @pytest.mark.parametrize("unit", ["C", "deg C", "°C", "degC"])
@@ -358,3 +400,41 @@ def test_what_lacks_is_named_by_its_key(tmp_path):
     assert "give spring_constant in N/m and sensitivity in m/V" in inspect_file(lever).reason
     curve = read_curve(lever, spring_constant=2.0, sensitivity=1e-6)
     assert curve.force.max() == pytest.approx(2.0 * 1e-6 * 0.04)
+
+
+TRAVEL = np.linspace(0.0, 2.0, 50)
+
+
+@pytest.mark.parametrize(
+    ("header", "rigid"),
+    [
+        ("Temps [sec];Force [N];Stroke [mm]", True),
+        ("Temps [s];Force [N];Course_Traverse [mm]", True),
+        ("C_1_Temps[s];C_1_Force[N];C_1_Stroke[mm]", True),
+        ("C_1_Temps[s];C_1_Force[N];C_1_Déplacement[mm]", False),
+        ("Zeit [s];Kraft [N];Verschiebung [mm]", False),
+        ("Tiempo [s];Fuerza [N];Desplazamiento [mm]", False),
+        ("Tempo [s];Force [N];Spostamento [mm]", False),
+    ],
+)
+def test_travels_of_testing_machines_in_their_words(tmp_path, header, rigid):
+    """The travel of the crosshead is that of the tip; of other positions the bending of a spring may be unknown."""
+    file = _file(tmp_path, [header], [10.0 * TRAVEL, 3.0 * TRAVEL**1.5, TRAVEL], separator=";")
+    if not rigid:
+        with pytest.raises(
+            InvalidInput, match="give spring_constant in N/m, infinite where the position is the travel"
+        ):
+            read_curve(file)
+    curve = read_curve(file, spring_constant=None if rigid else np.inf)
+    assert curve.position[-1] == pytest.approx(2e-3)
+    assert curve.force[-1] == pytest.approx(3.0 * 2.0**1.5)
+    assert inspect_file(file).taken_for in ({"force curve", "nanoindentation"} if rigid else {""})
+
+
+def test_a_list_of_greatest_forces_and_depths_is_named(tmp_path):
+    """Its columns E_1 and E_3 were named as two moduli of a relaxation, for T (C) is no time."""
+    header = ["Case,hc(nm),Pmax(uN),hmax(um),H(GPa),T (C),E_1,E_3"]
+    columns = [np.arange(30.0), DEPTH[1:31], DEPTH[1:31], DEPTH[1:31], DEPTH[1:31], *[np.ones(30)] * 3]
+    found = inspect_file(_file(tmp_path, header, columns))
+    assert not found.is_read
+    assert "read as list of results: its header names the greatest force and the greatest depth" in found.reason

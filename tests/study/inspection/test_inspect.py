@@ -182,7 +182,7 @@ def test_moduli_of_a_dma_are_doubted(header, doubted, tmp_path):
 
 
 def test_an_area_beside_a_curve_is_no_area_function(tmp_path):
-    """Instruments write the area of each point beside depth and load; of a list of results it is doubted."""
+    """Instruments write the area of each point beside depth and load; beside results it is doubted, or a list."""
     depth = np.concatenate([np.linspace(1.0, 100.0, 60), np.linspace(99.0, 60.0, 40)])
     load = np.where(np.arange(100) < 60, 1e-3 * depth**2, 10.0 * ((depth - 50.0) / 50.0).clip(0.0) ** 1.5)
     path = tmp_path / "test.csv"
@@ -190,12 +190,17 @@ def test_an_area_beside_a_curve_is_no_area_function(tmp_path):
     path.write_text("\n".join(["depth [nm],load [uN],area [nm^2]", *rows]) + "\n", encoding="utf-8")
     assert inspect_file(path).taken_for in ("force curve", "nanoindentation")
     rng = np.random.default_rng(1)
-    listed = rng.permutation(np.linspace(50.0, 900.0, 40))
-    rows = [f"{h:.6g},{rng.uniform(1.0, 9.0):.3g},{24.5 * h**2:.6g}" for h in listed]
-    path.write_text("\n".join(["hc [nm],hardness [GPa],A [nm^2]", *rows]) + "\n", encoding="utf-8")
-    found = inspect_file(path)
-    assert found.taken_for == "area function of a tip"
-    assert any("names a hardness too, as a list of results does" in one for one in found.doubts)
+    head, depths = "hc [nm],hardness [GPa],A [nm^2]", np.linspace(50.0, 900.0, 40)
+    for listed in (depths, rng.permutation(depths)):
+        rows = [f"{h:.6g},{rng.uniform(1.0, 9.0):.3g},{24.5 * h**2:.6g}" for h in listed]
+        path.write_text("\n".join([head, *rows]) + "\n", encoding="utf-8")
+        found = inspect_file(path)
+        if listed is depths:
+            assert found.taken_for == "area function of a tip"
+            assert any("names a hardness too, as a list of results does" in one for one in found.doubts)
+        else:
+            assert not found.is_read
+            assert "its rows are no curve but a list, for 'hc [nm]' and 'A [nm^2]' do not go on" in found.reason
 
 
 def test_a_jump_of_the_position_is_doubted(tmp_path):

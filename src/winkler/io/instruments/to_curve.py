@@ -27,7 +27,7 @@ from winkler.io.curve_columns import (
 from winkler.io.foreign import in_file
 from winkler.io.instruments.instrument_test import InstrumentColumn, InstrumentTest, measures
 from winkler.io.placed_curves import PlacedCurve, name_of_test, reading_of
-from winkler.io.swapped_columns import is_list, signs
+from winkler.io.swapped_columns import is_list, refuse_list, signs
 from winkler.io.tables.given_units import GivenFacts, key_of, unit_asked
 from winkler.io.tables.several_tests import parts_of_tests
 from winkler.numerics.types import Array
@@ -87,6 +87,8 @@ def curves_of_test(test: InstrumentTest, path: object, given: GivenFacts) -> lis
     if np.count_nonzero(usable) < 2:
         raise InvalidInput(f"{where}: {np.count_nonzero(usable)} rows hold depth and force; it needs at least 2.")
     depth, force = numbers["depth"][usable], numbers["force"][usable]
+    if "time" not in chosen:
+        refuse_list(where, [chosen[role].name for role in NEEDED], depth, force, results=_has_results(test))
     of_depth, of_force, turned = signs(depth, force)
     depth, force = of_depth * depth, of_force * force
     time = numbers["time"][usable] if "time" in numbers else np.zeros(0)
@@ -137,9 +139,13 @@ def is_results(test: InstrumentTest) -> bool:
     if found["time"] is not None or depth is None or force is None:
         return False
     both = np.isfinite(depth.values) & np.isfinite(force.values)
-    results = any(_column(test.columns, names, "Pa") is not None for names in (YOUNG_NAMES, HARDNESS_NAMES))
+    results = _has_results(test)
     few = results and np.count_nonzero(both) <= MOST_RESULTS
-    return bool(few or is_list(depth.values[both], force.values[both]))
+    return bool(few or is_list(depth.values[both], force.values[both], results=results))
+
+
+def _has_results(test: InstrumentTest) -> bool:
+    return any(_column(test.columns, names, "Pa") is not None for names in (YOUNG_NAMES, HARDNESS_NAMES))
 
 
 def _column(columns: Sequence[InstrumentColumn], names: Sequence[str], unit: str) -> InstrumentColumn | None:

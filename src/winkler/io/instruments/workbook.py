@@ -84,7 +84,7 @@ def _test(sheet: WorkbookSheet, path: Path, facts: dict[str, Cell]) -> Instrumen
     cells = [cell if isinstance(cell, str) else "" for cell in sheet.rows[header]]
     below = sheet.rows[header + 1]
     named = [cell for name, cell in zip(cells, below, strict=False) if name]  # another table may stand beside it
-    texts_below = all(isinstance(cell, str) for cell in named) and any(named)
+    texts_below = all(isinstance(_number(cell), str) for cell in named) and any(named)
     units = [cell if isinstance(cell, str) else "" for cell in below] if texts_below else [""] * len(cells)
     both = [
         (cell, unit) if unit else split_unit(cell)
@@ -96,7 +96,7 @@ def _test(sheet: WorkbookSheet, path: Path, facts: dict[str, Cell]) -> Instrumen
         mark = str(row[0]).strip().lower() if row and isinstance(row[0], str) else ""
         if mark == END:
             break
-        numbers = [row[place] if place < len(row) else "" for place in numbered]
+        numbers = [_number(row[place]) if place < len(row) else "" for place in numbered]
         if mark or any(isinstance(number, float) for number in numbers):
             rows.append([number if isinstance(number, float) else math.nan for number in numbers])
             marks.append(mark if 0 not in numbered else "")

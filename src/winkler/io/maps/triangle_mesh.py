@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 import re
 from pathlib import Path
 
 import numpy as np
 
-from winkler.io.height_matrix import MapContents, points_on_grid, refuse_many
+from winkler.io.height_matrix import MapContents, point_map, refuse_many
 from winkler.io.text_file import content_of
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
@@ -19,8 +18,6 @@ __all__ = ["mesh_map"]
 HEAD_SIZE, COUNT_SIZE = 80, 4
 FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 VERTEX = re.compile(rb"vertex[ \t]++([-+0-9.eE]{1,30}+)[ \t]++([-+0-9.eE]{1,30}+)[ \t]++([-+0-9.eE]{1,30}+)")
-FARTHEST = 2.0
-"""Greatest distance of a pixel from a corner of a triangle, in pixels; beyond it there is no surface."""
 
 
 def mesh_map(path: Path) -> MapContents:
@@ -41,24 +38,7 @@ def mesh_map(path: Path) -> MapContents:
             f"{path}: its {len(corners)} triangles are no surface with one height at each place; cut it open, so that "
             "all of them look up, or save its heights as rows x, y, z."
         )
-    points = np.unique(corners.reshape(-1, 3), axis=0)
-    on_grid = points_on_grid(points)
-    return on_grid if on_grid is not None else _sampled(points)
-
-
-def _sampled(points: Array) -> MapContents:
-    """Return heights between points on a grid whose pixels have the mean area of a point."""
-    from scipy.interpolate import LinearNDInterpolator
-    from scipy.spatial import KDTree
-
-    low, sides = points[:, :2].min(axis=0), np.ptp(points[:, :2], axis=0)
-    step = math.sqrt(float(np.prod(sides)) / len(points))
-    counts = np.maximum(np.rint(sides / step).astype(int), 1)
-    axes = [low[axis] + sides[axis] * (np.arange(count) + 0.5) / count for axis, count in enumerate(counts)]
-    places = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
-    heights = LinearNDInterpolator(points[:, :2], points[:, 2])(places)
-    distance, _ = KDTree(points[:, :2]).query(places)
-    return MapContents(np.where(distance > FARTHEST * step, math.nan, heights), sides, "")
+    return point_map(path, np.unique(corners.reshape(-1, 3), axis=0), joined=True)
 
 
 def _corners(content: bytes, path: Path) -> Array:

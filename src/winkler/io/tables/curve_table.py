@@ -37,7 +37,7 @@ from winkler.io.curve_columns import (
 from winkler.io.foreign import in_file
 from winkler.io.placed_curves import PlacedCurve, name_of_test, reading_of
 from winkler.io.segments import directions, segment_fact
-from winkler.io.swapped_columns import is_list, is_reversed, signs
+from winkler.io.swapped_columns import is_reversed, refuse_list, signs
 from winkler.io.tables.given_units import GivenFacts
 from winkler.io.tables.header import SEPARATORS_TRIED, header_lines, names_columns, names_seen
 from winkler.io.tables.several_tests import parts_by_headers, parts_of_tests
@@ -208,11 +208,9 @@ def _refuse_other_tables(
     path: str | os.PathLike[str], table: Table, position: Array, force: Array, *, timed: bool
 ) -> None:
     """Refuse a list of results with a depth and a force for each test, and a gap that is called h."""
-    if not timed and is_list(position, force):
-        raise InvalidInput(
-            f"{path}: its rows are no curve but a list, for neither '{table.read_as[0]}' nor '{table.read_as[1]}' goes "
-            "on from row to row, as in a table of results; give the curves themselves."
-        )
+    if not timed:
+        results = any(names_columns(path, (one,)) for one in RESULTS)
+        refuse_list(path, table.read_as, position, force, results=results)
     name = table.read_as[0]
     if GAP_OR_DEPTH.match(name) and is_reversed(position, force):
         raise InvalidInput(

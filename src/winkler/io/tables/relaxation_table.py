@@ -133,12 +133,18 @@ MODULI: tuple[tuple[Column, Column, bool, Callable[[Array, Array], tuple[Array, 
 )
 """Pairs of columns, whether they are of tension, and storage and loss from them."""
 SAME_MODULUS = 0.2
-"""Greatest difference of moduli at one time or frequency that are averaged, in parts of the greater."""
+"""Greatest difference of moduli at one time or frequency that are averaged, in parts of the greater,"""
+NEAR, DEVIATIONS, MOST_APART = 10, 3.0, 0.5
+"""or of so many standard deviations of a difference, by the scatter of as many rows before and behind that stand once,
+and in parts of the greater at most."""
 MOST_LEFT_OUT = 0.2
 """Greatest share of rows whose moduli are not positive, as noise makes small ones, and that are left out."""
+NORMAL_MEDIAN = 0.6745
+"""Median of the size of a normal deviation, over the standard one."""
 HELD = 0.1
 """Greatest deviation of a stress or strain that is held, relative to its median."""
 STRAINED = (TIME, STRAIN, STRESS)
+HELD_STRESS = '; of a creep, where no column holds the stress, give held_stress = "10 Pa"'
 RELAXATION_HEADERS = ((TIME, SHEAR_MODULUS), (TIME, YOUNG_MODULUS), STRAINED)
 CREEP_HEADERS = ((TIME, SHEAR_COMPLIANCE), (TIME, TENSILE_COMPLIANCE), STRAINED)
 DYNAMIC_HEADERS = tuple((frequency, *one[:2]) for frequency in (ANGULAR, FREQUENCY) for one in MODULI)
@@ -240,8 +246,8 @@ def read_relaxation(
     path : str or path
         The file.  Units stand in its header, as in ``time [s], shear [kPa]``; other columns are ignored.  In place of
         the modulus, a shear strain [% or -] that is held, within a tenth, and the shear stress.  A row at time zero is
-        left out; rows of one time whose numbers agree within a fifth are averaged, and the ``reading`` of the data
-        says so.
+        left out; rows of one time whose numbers agree within a fifth, or as rows around them scatter, are averaged, and
+        the ``reading`` of the data says so.
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
     header : str, optional
@@ -276,7 +282,9 @@ def read_relaxation(
 
 
 @reader("a creep")
-def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5, header: str = "", test: int = 0) -> CreepData:
+def read_creep(
+    path: str | os.PathLike[str], *, poisson: float = 0.5, header: str = "", test: int = 0, held_stress: float = 0.0
+) -> CreepData:
     """Read a measured creep from a table with the columns time (t) and compliance (j), or tensile_compliance (d).
 
     Parameters
@@ -284,8 +292,8 @@ def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5, header: st
     path : str or path
         The file.  Units stand in its header, as in ``time [s], compliance [1/kPa]``; other columns are ignored.  In
         place of the compliance, a shear strain [% or -] and the shear stress that is held, within a tenth.  A row at
-        time zero is left out; rows of one time whose numbers agree within a fifth are averaged, and the ``reading``
-        of the data says so.
+        time zero is left out; rows of one time whose numbers agree within a fifth, or as rows around them scatter, are
+        averaged, and the ``reading`` of the data says so.
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
     header : str, optional
@@ -293,6 +301,8 @@ def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5, header: st
     test : int, optional
         Which of several tests in one table, counted from 1: side by side, below each other under headers that stand
         again, where the numbers of the points begin again, or in sheets of one workbook.
+    held_stress : float, optional
+        Shear stress that is held [Pa], where a column holds the shear strain and none the stress.
 
     Returns
     -------
@@ -305,12 +315,18 @@ def read_creep(path: str | os.PathLike[str], *, poisson: float = 0.5, header: st
     """
 
     def read(part: str | os.PathLike[str]) -> CreepData:
+        if held_stress:
+            if not 0.0 < held_stress < math.inf:
+                raise InvalidInput(f"{part}: the stress of its creep is {held_stress:g} Pa; give a positive one.")
+            time, strain = moduli_table(part, STRAINED[:2], header).values.T
+            reading = f"compliance = strain / {held_stress:g} Pa, given"
+            return _data(CreepData, str(part), (time, strain / (100.0 * held_stress)), poisson, reading)
         table, columns = _read(part, CREEP_HEADERS, header)
         if columns is STRAINED:
-            time, strain, stress = table.values.T
-            _refuse_unheld(table, stress, "stress", "creep")
+            time, strain, held = table.values.T
+            _refuse_unheld(table, held, "stress", "creep")
             return _data(
-                CreepData, table.path, (time, strain / (100.0 * stress)), poisson, "compliance = strain / stress"
+                CreepData, table.path, (time, strain / (100.0 * held)), poisson, "compliance = strain / stress"
             )
         time, compliance = table.values.T
         factor = young_over_shear(poisson) if columns[1] is TENSILE_COMPLIANCE else 1.0
@@ -362,7 +378,12 @@ def _read(
     """Return the table by the first columns that it has: of shear, of tension, or strain and stress; and these."""
     head = [header] if header else None
     columns = next((one for one in headers if names_columns(path, one, head=head)), headers[0])
-    return moduli_table(path, columns, header), columns
+    try:
+        return moduli_table(path, columns, header), columns
+    except InvalidInput as error:
+        if (columns is not STRAINED and columns is not headers[0]) or not names_columns(path, STRAINED[:2], head=head):
+            raise
+        raise error.reworded(lambda one: f"{one.rstrip('.')}{HELD_STRESS}.") from None
 
 
 def _refuse_unheld(table: Table, held: Array, what: str, test: str) -> None:
@@ -392,12 +413,33 @@ def _data(kind: Callable[..., T], path: str, rows: tuple[np.ndarray, ...], poiss
     if 0 < begins.size < sorted_rows.shape[1]:
         moduli = sorted_rows[1:]
         highest, lowest = (of_each.reduceat(moduli, begins, axis=1) for of_each in (np.maximum, np.minimum))
-        if np.all(highest - lowest <= SAME_MODULUS * np.abs(highest)):
-            counts = np.diff(begins, append=sorted_rows.shape[1])
-            means = np.add.reduceat(moduli, begins, axis=1) / counts
+        counts = np.diff(begins, append=sorted_rows.shape[1])
+        means = np.add.reduceat(moduli, begins, axis=1) / counts
+        scatter = DEVIATIONS * math.sqrt(2.0) * _scatter(np.where(counts == 1, means, math.nan))
+        alike = np.maximum(SAME_MODULUS, np.minimum(1.0 - np.exp(-scatter), MOST_APART))
+        apart = highest - lowest
+        if np.all(apart <= alike * np.abs(highest)):
             again, size = int(np.count_nonzero(counts > 1)), "frequencies" if kind is DynamicData else "times"
             averaged = f"{counts[counts > 1].sum()} rows at {again} {size} are averaged"
+            if np.any(apart > SAME_MODULUS * np.abs(highest)):
+                averaged += f", up to {np.max(apart / np.abs(highest)):.0%} apart, as the rows around them scatter"
             reading = f"{reading}; {averaged}" if reading else averaged
             sorted_rows = np.vstack([sorted_rows[0, begins], means])
     with in_file(path):
         return kind(*sorted_rows, poisson=poisson, reading=reading)
+
+
+def _scatter(numbers: Array) -> Array:
+    """Return the standard deviation of the logarithms of numbers nearby ``(m, n)``, zero where none is known.
+
+    Their distances from the line between both neighbours have 3/2 of their variance; the median of these is taken.
+    """
+    if numbers.shape[1] < 3 or np.any(numbers <= 0.0):
+        return np.zeros(numbers.shape)
+    sizes = np.abs(np.diff(np.log(numbers), 2, axis=1)) / 2.0
+    bends = np.pad(sizes, ((0, 0), (NEAR + 1, NEAR + 1)), constant_values=math.nan)
+    windows = np.lib.stride_tricks.sliding_window_view(bends, 2 * NEAR + 1, axis=1)
+    known = np.any(np.isfinite(windows), axis=-1)
+    middle = np.zeros(numbers.shape)
+    middle[known] = np.nanmedian(windows[known], axis=-1)
+    return middle / (NORMAL_MEDIAN * math.sqrt(1.5))

@@ -30,7 +30,7 @@ HEIGHT_COLUMN = Column(
     "nm",
 )
 
-TEXT_ENDINGS = {"", ".csv", ".txt", ".asc", ".dat", ".tsv", ".xy"}
+TEXT_ENDINGS = {"", ".csv", ".txt", ".asc", ".dat", ".tsv", ".xy", ".xyz"}
 """Files that are tables, unless two columns without a header; their errors are those of tables."""
 PAIR = 2
 """Columns of places and heights without names."""

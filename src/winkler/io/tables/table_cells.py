@@ -34,8 +34,8 @@ BEHIND_WORDS = ("in", "en")
 """Words before a unit, as in ``f in Hz``."""
 LONGEST_MISSPELT = 4
 """A word of so many letters that is no unit is a noun: units that users misspell are shorter."""
-DEVICE = re.compile(r"[^\W\d]\w++\.(?=[^\W\d]{2})")
-"""A device before the name of its channel, as in "DAQ.Fx (N)"."""
+DEVICE = re.compile(r"(?:[^\W\d]\w++\.|[^\W\d]_\d{1,2}_)(?=[^\W\d]{2})")
+"""A device before the name of its channel, as in "DAQ.Fx (N)" or "C_1_Force[kN]"."""
 QUOTED, HIDDEN = re.compile(r'"[+-]?\d[\d,;.]{0,40}"'), "\x00"
 """A number in quotes, and what stands for a separator in it."""
 SYMBOL = re.compile(r"\s*+[(\[][A-Za-z][)\]]\Z")

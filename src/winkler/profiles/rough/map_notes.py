@@ -39,6 +39,15 @@ def map_notes(surface: Topography) -> tuple[Note, ...]:
     notes: list[Note] = []
     if surface.tip_radius > 0.0:
         notes.append(_tip_note(surface))
+    if surface.reading:
+        notes.append(
+            Note(
+                Assumption.RESOLUTION,
+                Standing.APPROXIMATE,
+                f"Read as {surface.reading}.",
+                "linear interpolation on Delaunay triangles",
+            )
+        )
     if surface.removed:
         bridged = ", and bridged" if "stand out" in surface.removed else ""
         notes.append(

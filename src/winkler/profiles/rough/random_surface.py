@@ -55,6 +55,7 @@ class RandomTopography(Topography):
     periodic: bool = dataclasses.field(default=True, kw_only=True)
     tip_radius: float = dataclasses.field(init=False, repr=False, default=0.0)
     removed: str = dataclasses.field(init=False, repr=False, default="")
+    reading: str = dataclasses.field(init=False, repr=False, default="")
     spectrum: Spectrum = dataclasses.field()
     shape: tuple[int, int] = (256, 256)
     seed: Seed = 0

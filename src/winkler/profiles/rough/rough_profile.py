@@ -52,6 +52,7 @@ class RoughProfile(Topography):
     periodic: bool = dataclasses.field(init=False, repr=False, default_factory=bool)
     tip_radius: float = dataclasses.field(init=False, repr=False, default=0.0)
     removed: str = dataclasses.field(init=False, repr=False, default="")
+    reading: str = dataclasses.field(init=False, repr=False, default="")
     topography: Topography = dataclasses.field()
     profile: Profile | CurvedBodies = dataclasses.field()
 
@@ -64,3 +65,4 @@ class RoughProfile(Topography):
         object.__setattr__(self, "lengths", made.lengths)
         object.__setattr__(self, "tip_radius", rough.tip_radius)
         object.__setattr__(self, "removed", rough.removed)
+        object.__setattr__(self, "reading", rough.reading)

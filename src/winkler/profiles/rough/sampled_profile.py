@@ -49,6 +49,7 @@ class SampledProfile(Topography):
     periodic: bool = dataclasses.field(init=False, repr=False, default_factory=bool)
     tip_radius: float = dataclasses.field(init=False, repr=False, default=0.0)
     removed: str = dataclasses.field(init=False, repr=False, default="")
+    reading: str = dataclasses.field(init=False, repr=False, default="")
     profile: Profile | CurvedBodies = dataclasses.field()
     shape: tuple[int, int] = (129, 129)
 

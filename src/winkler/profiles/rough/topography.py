@@ -36,6 +36,8 @@ class Topography:
         tip.
     removed : str, optional
         Description of what was removed from the measured heights; written by `without_spikes` and `levelled`.
+    reading : str, optional
+        How the heights follow from points off a grid; written by `read_topography`.
 
     Raises
     ------
@@ -56,6 +58,7 @@ class Topography:
     periodic: bool = False
     tip_radius: Annotated[float, NON_NEGATIVE] = dataclasses.field(default=0.0, kw_only=True)
     removed: str = dataclasses.field(default="", kw_only=True)
+    reading: str = dataclasses.field(default="", kw_only=True)
 
     def __post_init__(self) -> None:
         heights = np.asarray(self.heights)
@@ -127,7 +130,9 @@ class Topography:
     def _with(self, heights: Array, lengths: Array | None = None, periodic: bool | None = None) -> Topography:
         """Return other heights measured by the same tip."""
         sides, repeated = self.lengths if lengths is None else lengths, self.periodic if periodic is None else periodic
-        return Topography(heights, sides, repeated, tip_radius=self.tip_radius, removed=self.removed)
+        return Topography(
+            heights, sides, repeated, tip_radius=self.tip_radius, removed=self.removed, reading=self.reading
+        )
 
     def detrended(self, order: int = 1) -> Topography:
         """Return the map without its mean (0), a plane (1) or a paraboloid (2), fitted by least squares.

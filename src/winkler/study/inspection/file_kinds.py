@@ -14,6 +14,7 @@ import numpy as np
 from winkler.io.indenter_file import AREA, read_area
 from winkler.io.indenter_file import DEPTH as CONTACT_DEPTH
 from winkler.io.logs import log_tables as logs
+from winkler.io.swapped_columns import refuse_list
 from winkler.io.tables import (
     bed_table,
     cross_profile_file,
@@ -27,6 +28,7 @@ from winkler.io.tables import (
     sweeps_table,
 )
 from winkler.io.tables.column import Column
+from winkler.io.tables.curve_table import RESULTS
 from winkler.io.tables.header import names_columns
 from winkler.io.tables.relaxation_table import TIME
 from winkler.io.tables.table import read_table
@@ -39,6 +41,13 @@ from winkler.values.value import value, words
 __all__ = ["ASSUMED_POISSON", "GENERAL", "HELD", "SPECIFIC", "AreaTable", "HeldTable", "TableKind"]
 
 Header = tuple[Column, ...]
+REDUCED = Column("reduced modulus", ("er", "reduced modulus"), "Pa")
+"""In lists of results."""
+GREATEST = (
+    Column("greatest force", ("pmax", "fmax", "max load", "max. load", "maximum load", "peak load", "max force"), "N"),
+    Column("greatest depth", ("hmax", "max depth", "max. depth", "maximum depth", "peak depth"), "m"),
+)
+"""In lists of results, and in no curve."""
 HELD = "force over time of a hold"
 ASSUMED_POISSON = 0.3
 """Of a grading whose table has no Poisson's ratio; the study to start from states it."""
@@ -87,7 +96,10 @@ class HeldTable:
 
 def _area(path: str | os.PathLike[str]) -> AreaTable:
     read_area(path)
-    return AreaTable(*read_table(path, (CONTACT_DEPTH, AREA)).values.T)
+    table = read_table(path, (CONTACT_DEPTH, AREA))
+    if any(names_columns(path, (AREA, one)) for one in (*RESULTS, REDUCED)):
+        refuse_list(path, table.read_as, *table.values.T)
+    return AreaTable(*table.values.T)
 
 
 def _held(path: str | os.PathLike[str]) -> HeldTable:
@@ -192,5 +204,6 @@ GENERAL = (
         "cross_profile",
     ),
     TableKind(HELD, ((TIME, held_force_table.FORCE),), _held, ""),
+    TableKind("creep", (relaxation_table.STRAINED[:2],), relaxation_table.read_creep, "creep"),
 )
 """Tables that are sought where a file is no force curve."""

@@ -25,7 +25,6 @@ from winkler.io.indenter_file import AREA, read_indenter
 from winkler.io.indenter_file import DEPTH as CONTACT_DEPTH
 from winkler.io.instruments.find import METHOD, states_curves
 from winkler.io.placed_curves import UnreadCurve
-from winkler.io.tables.column import Column
 from winkler.io.tables.curve_table import DEPTH, FORCE, RESULTS, is_curve_table
 from winkler.io.tables.given_units import LACKS_UNIT
 from winkler.io.tables.header import bare_columns, header_lines, names_columns
@@ -42,7 +41,16 @@ from winkler.materials.relaxation_data import CreepData, DynamicData, Relaxation
 from winkler.materials.sweeps import DynamicSweeps
 from winkler.profiles.rough.line_scan import LineScan
 from winkler.study.batch.pool import Machine, completed
-from winkler.study.inspection.file_kinds import GENERAL, HELD, SPECIFIC, AreaTable, HeldTable, TableKind
+from winkler.study.inspection.file_kinds import (
+    GENERAL,
+    GREATEST,
+    HELD,
+    REDUCED,
+    SPECIFIC,
+    AreaTable,
+    HeldTable,
+    TableKind,
+)
 from winkler.study.inspection.inspection import InspectedColumn, Inspection, columns_of
 from winkler.study.inspection.logs import log_doubts, log_lines
 from winkler.study.inspection.starting import starting_study
@@ -66,13 +74,16 @@ NO_PLACES = (
     "--channel, the name of another column."
 )
 OWN_NAMES = (
-    "; if a column holds heights at equal steps, give --channel, its name, --lengths '4 mm', of the scan, and --unit."
+    f"; of moduli {BARE_MODULI}; if a column holds heights at equal steps, give --channel, its name, --lengths '4 mm', "
+    "of the scan, and --unit."
 )
 NO_UNIT_OF_MAP = "does not state the unit of its heights"
 MOST_OF_TABLE = 24
 """Columns of bare numbers that may be a table and no map."""
-REDUCED = Column("reduced modulus", ("er", "reduced modulus"), "Pa")
-"""In lists of results."""
+OF_GREATEST = (
+    "its header names the greatest force and the greatest depth, one of each test, as in a table of results, which is "
+    "no curve; give the curves themselves."
+)
 OF_MODULI = ("storage and loss", "storage and loss at several temperatures")
 SCAN = (PLACE_COLUMN, HEIGHT_COLUMN)
 TIPS = {".toml"}
@@ -234,6 +245,8 @@ def _as_table_or_curve(file: Path, *, brief: bool) -> Inspection | list[tuple[st
         found = _by_header(file, head, kind, reasons)
         if found is not None:
             return found
+    if head and names_columns(file, GREATEST, head=head):
+        return [("list of results", f"{file}: {OF_GREATEST}"), *reasons]
     lacks = any(one in curve.reason for one in ((LACKS_UNIT, METHOD, BENDING) if head else (LACKS_UNIT,)))
     own = "" if is_curve or lacks or reasons or bare_columns(file) < 2 else OWN_NAMES
     of_curve = ("force curve", curve.reason.rstrip(".") + own if own else curve.reason)

@@ -141,6 +141,7 @@ CONTACT: dict[str, Word] = {
     "viscosity": Word(r"\eta", "Pa s", "viscosity of a dashpot"),
     "relaxed_shear": Word(r"G_\infty", "Pa", "shear modulus that is left after all time"),
     "shears": Word("G_i", "Pa", "shear moduli that relax, one for each time"),
+    "held_stress": Word(r"\tau_0", "Pa", "shear stress that is held while a body creeps"),
     "storage_shear": Word("G'", "Pa", "shear stress in phase with a harmonic shear, over the shear"),
     "loss_shear": Word("G''", "Pa", "shear stress a quarter of a turn ahead of a harmonic shear, over the shear"),
     "relaxation_time": Word(r"\tau", "s", "time in which a stress relaxes to its e-th part"),

@@ -26,6 +26,7 @@ SURFACES: dict[str, Word] = {
     "periodic": Word("", None, "whether a surface is repeated for ever, or stands alone"),
     "tip_radius": Word("R_t", "m", "radius of the tip that has scanned a surface; zero if none has rounded it"),
     "removed": Word("", None, "what was taken out of measured heights"),
+    "reading": Word("", None, "how the heights of a map came from points off a grid, in words"),
     "hurst": Word("H", "", "Hurst exponent: how steeply the roughness falls towards short waves"),
     "rms_height": Word(r"h_\mathrm{rms}", "m", "root mean square of the heights about their mean"),
     "roll_off": Word(r"\lambda_r", "m", "wavelength above which a spectrum is level"),
