@@ -342,7 +342,8 @@ def distance_notes(creepage: Creepage, ratio: float, poisson: float) -> tuple[No
     turned = known.spun_moment if spun else known.moment
     statement = (
         f"{THEORY}The springs were compared with Kalker's exact theory near this ellipse and this Poisson's ratio. "
-        f"{under} the force differs by at most {distance:.2g} mu F_N, the moment by at most {turned:.2g} mu F_N sqrt(a b)."
+        f"{under} the force differs by at most {distance:.2g} mu F_N, the moment by at most {turned:.2g} mu F_N "
+        "sqrt(a b)."
     )
     first = Note(Assumption.CALIBRATION, Standing.APPROXIMATE, statement, MEASURED_BY)
     return (first, FIRST_DIGITS) if spun else (first,)
