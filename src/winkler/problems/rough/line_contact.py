@@ -50,7 +50,7 @@ NO_AREA = Note(
     Standing.OUTSIDE,
     "The springs are independent and give no true contact area and no mean gap. The values stated here are "
     "Persson's. The area is up to a third too small; the gap is accurate to 20 per cent for pressures up to 0.2 "
-    "E* h'. Use SurfaceContact to compute them.",
+    "E* h'. Use SurfaceContact to compute area and gap.",
     LYASHENKO,
 )
 LAYERED_LINES = Note(
