@@ -77,8 +77,8 @@ def slip_note(bed: Bed) -> Note:
 SLIDES_EVERYWHERE = Note(
     Assumption.WEAR,
     Standing.APPROXIMATE,
-    "Every point of the contact slides over the whole distance. This applies to a body that stays in contact. "
-    "The other body wears along a track of many contact lengths; its wear is not included.",
+    "Every point of the contact slides over the whole distance. This assumption applies to a body that stays in "
+    "contact. The other body wears along a track of many contact lengths; its wear is not included.",
     "assumption of gross sliding",
 )
 
