@@ -237,7 +237,7 @@ def test_steady_heat_needs_no_diffusivity():
         wk.Indentation(BALL, wk.Radius(1e-4)), wk.HeatConductors(HEAT, plated), 200.0
     ).solve()
     slowest = joint.validity[-1].statement  # the slowest part of a body decides
-    assert slowest.startswith("Steady state is assumed. It is reached within 9 % after 1 s, ten times")
+    assert slowest.startswith("Steady state is assumed. The steady state is reached within 9 % after 1 s, ten times")
 
 
 # ---------------------------------------------------------------------------------------------------- Joule heat

@@ -56,7 +56,7 @@ def test_waves_meet_their_own_modulus():
 
 def test_layers_say_their_band_and_conduct_nothing():
     found = lines(coated(4.0, 0.1))
-    assert "0.7 to 1.35 times the reference" in " ".join(str(note) for note in found.validity)
+    assert "0.7 to 1.35 times those of boundary elements" in " ".join(str(note) for note in found.validity)
     metal = wk.ElectricalConductor(1.7e-8)
     with pytest.raises(OutsideValidity, match="stiffness does not tell the conductance"):
         found.conductance(wk.ElectricalConductors(metal, metal))

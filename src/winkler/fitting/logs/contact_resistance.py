@@ -361,7 +361,7 @@ class MeasuredConstrictionSolution:
             standing_of(self.scatter, SMALL_SCATTER, LARGE_SCATTER),
             f"The 95 % intervals are {', '.join(ends)}{rest}. The resistance falls with the force to the power "
             f"{self.exponent:.3f} ± {self.exponent_error:.2g}, with a scatter of {100 * self.scatter:.2g} %. One "
-            "smooth contact is assumed. Rough bodies conduct through many spots, for which the same law has "
-            "other constants.",
+            "smooth contact is assumed. Rough bodies conduct through many microcontacts; the exponent and the "
+            "constants of this power law are then different.",
             SOURCE,
         )

@@ -108,8 +108,9 @@ class GradedBody:
         """What is assumed of it in plane strain."""
         return (
             Standing.ASYMPTOTIC,
-            "A linear elastic, isotropic body graded with depth, in plane strain under normal load. Its Fourier "
-            f"response is computed with thin cells in depth, with a relative error of at most {self.tolerance:.0e}",
+            "The body is assumed linear elastic, isotropic and graded with depth, in plane strain under normal load. "
+            "The Fourier response of this body is computed with thin cells in depth, with a relative error of at most "
+            f"{self.tolerance:.0e}",
         )
 
     @property

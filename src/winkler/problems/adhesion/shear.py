@@ -202,7 +202,7 @@ class AdhesiveShearSolution(PerLoad[Q]):
                 Standing.APPROXIMATE,
                 "The normal and tangential parts of the energy release rate are added with equal weight and "
                 "averaged around the edge. The effect of the mode mixture is neglected. A real contact becomes "
-                "oval and slips near its edge. It often separates at a greater shear force than computed.",
+                "oval and slips near its edge. A real contact often separates at a greater shear force than computed.",
                 SAVKOOR,
             ),
         )

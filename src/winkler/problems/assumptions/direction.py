@@ -52,8 +52,9 @@ def _directional_note(bed: DirectionalBed) -> Note:
     """Return what springs behind a contact of any outline leave out, and how far that leads if it was measured."""
     measured = bed.shift_error > 0.0 or bed.loss_error > 0.0
     error = (
-        "Reference: boundary elements, a loop with 0.9 of the sliding force at the maximum depth. Displacements "
-        f"differ by at most {_per_cent(bed.shift_error)} % of their maximum, the dissipated energy by "
+        "The springs were compared with boundary elements, in a loop with 0.9 of the sliding force at the maximum "
+        "depth. "
+        f"Displacements differ by at most {_per_cent(bed.shift_error)} % of their maximum, the dissipated energy by "
         f"{_per_cent(bed.loss_error)} %. If the depth varies, the error of the dissipated energy is at most three "
         "times as large"
         if measured

@@ -165,8 +165,8 @@ class ThermalConstrictionSolution(ConductingSolution["ThermalConstrictionSolutio
         steady = Note(
             Assumption.STEADY,
             Standing.ASYMPTOTIC,
-            f"Steady state is assumed. It is reached within 9 % after {known}, ten times the squared contact "
-            "radius over the diffusivity. Transients are not included.",
+            f"Steady state is assumed. The steady state is reached within 9 % after {known}, ten times the squared "
+            "contact radius over the diffusivity. Transients are not included.",
             "H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, 2nd edition, Oxford 1959",
         )
         return (*self._disc_notes, steady)

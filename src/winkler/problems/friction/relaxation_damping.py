@@ -39,8 +39,8 @@ POPOV = "M. Popov, V. L. Popov, R. Pohrt, Sci. Rep. 5 (2015) 16189, doi:10.1038/
 STICKING = Note(
     Assumption.SLIP,
     Standing.ASYMPTOTIC,
-    "No slip is assumed, and little tangential motion during one period of the normal oscillation. This requires "
-    "a coefficient of friction much greater than v/(omega A_z) times G*/E*.",
+    "No slip is assumed, and little tangential motion during one period of the normal oscillation. The assumption "
+    "requires a coefficient of friction much greater than v/(omega A_z) times G*/E*.",
     POPOV,
 )
 

@@ -167,8 +167,8 @@ def spring_notes(springs: Springs, law: SpringLaw, *, in_plane: bool) -> tuple[N
                 Standing.APPROXIMATE,
                 f"The ratio of tangential to normal stiffness varies between the springs by {100.0 * spread:.2g} "
                 "%. A friction bound for every spring is then not a bound for every point of the surface. "
-                "Reference: the method rings. Shear forces differed by up to 8 % of the sliding force on soft "
-                "coatings, by up to 44 % on hard ones.",
+                "Compared with annular elements (method rings), shear forces differed by up to 8 % of the sliding "
+                "force on soft coatings, by up to 44 % on hard ones.",
                 "tests/problems/friction/test_slip_on_layers.py; the table of docs/chapters/coatings.md",
             )
         )

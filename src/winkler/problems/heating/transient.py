@@ -246,9 +246,9 @@ class TransientHeatingSolution:
         return Note(
             Assumption.CONDUCTION,
             Standing.APPROXIMATE if excess > 1.0 else Standing.ASYMPTOTIC,
-            "Both bodies are assumed at rest relative to the contact. One of them may move at the full sliding "
-            f"speed (Pe = {0.5 * max(waves) * source.half_length(0.0):.3g}). Its maximum temperature is then "
-            f"overestimated by up to {excess:.2g} % at long times.",
+            "Both bodies are assumed at rest relative to the contact. One body may move at the full sliding "
+            f"speed (Pe = {0.5 * max(waves) * source.half_length(0.0):.3g}). The maximum temperature of this body is "
+            f"then overestimated by up to {excess:.2g} % at long times.",
             "own quadrature of the moving source",
         )
 

@@ -50,8 +50,8 @@ STEADY_SOURCE = _steady()
 BY_PIXELS = Note(
     Assumption.RESOLUTION,
     Standing.ASYMPTOTIC,
-    "The heat flux follows the pressure of the pixels. Reference: closed forms for ellipses on half-spaces and "
-    "round contacts on equal layers, Peclet numbers up to 1e7. Maximum temperatures differ by at most 5e-4, mean "
+    "The heat flux follows the pressure of the pixels. Compared with closed forms for ellipses on half-spaces and "
+    "round contacts on equal layers, at Peclet numbers up to 1e7, maximum temperatures differ by at most 5e-4, mean "
     "temperatures by 2e-3.",
     "comparison with ellipses on half-spaces and round contacts on layers",
 )

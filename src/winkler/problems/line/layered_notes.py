@@ -50,8 +50,8 @@ def strip_notes(
     response = Note(
         Assumption.RESPONSE,
         standing,
-        f"{body}. The pressure is expanded in Chebyshev modes. Effects of the ends of a body of finite length "
-        "are neglected.",
+        f"{body}. The pressure is expanded in Chebyshev modes. Effects at the ends of a body of finite length are "
+        "neglected.",
         WAVES,
     )
     notes = shape_notes(bed, half_width, response, examined=not sticking)

@@ -33,8 +33,8 @@ def line_notes(bed: LineBed, half_width: float, *, sticking: bool = False) -> tu
             Assumption.RESPONSE,
             Standing.EXACT,
             "Linear elastic bodies whose modulus follows one power of the depth, in plane strain under normal "
-            "load. The sum of flat punches of all half-widths is the exact solution. Effects of the ends of a "
-            "body of finite length are neglected.",
+            "load. The sum of flat punches of all half-widths is the exact solution. Effects at the ends of a body of "
+            "finite length are neglected.",
             PALLOT,
         )
         range_of_law = (note for note in bed.medium.notes if note.standing is not Standing.EXACT)
@@ -43,7 +43,7 @@ def line_notes(bed: LineBed, half_width: float, *, sticking: bool = False) -> tu
         Assumption.RESPONSE,
         Standing.EXACT,
         "Homogeneous, linear elastic half-planes in plane strain under normal load. The sum of flat punches of "
-        "all half-widths is the exact solution. Effects of the ends of a body of finite length are neglected.",
+        "all half-widths is the exact solution. Effects at the ends of a body of finite length are neglected.",
         JAEGER,
     )
     return shape_notes(bed, half_width, response, examined=not sticking)

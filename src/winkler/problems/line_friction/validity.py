@@ -39,8 +39,8 @@ SLIP_SUMS = Note(
 MARCHED = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "Boundary elements with Coulomb friction, solved step by step. Reference: the Ciavarella-Jaeger "
-    "superposition, where it applies. Dissipated energy and slip differ by about 0.1 % of their maximum. "
+    "Boundary elements with Coulomb friction, solved step by step. Compared with the Ciavarella-Jaeger "
+    "superposition, where it applies, dissipated energy and slip differ by about 0.1 % of their maximum. "
     "Tractions differ by a few per cent of their maximum at the boundaries between stick and slip zones.",
     "compared with sums of earlier contacts where those hold; D. A. Hills, D. Nowell, Mechanics of Fretting Fatigue, "
     "Kluwer, 1994",
@@ -51,7 +51,7 @@ DRAGGED = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
     "Boundary elements with Coulomb friction on viscoelastic bodies, solved step by step. The pressure does not "
-    "depend on the traction. Reference: a second discretisation with other elements and time steps. Tractions "
+    "depend on the traction. Compared with a second discretisation with other elements and time steps, tractions "
     "and dissipated energy differ by at most 1 % of their maximum.",
     "tests/problems/line_friction/test_relaxing_lines.py",
 )

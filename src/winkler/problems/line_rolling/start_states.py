@@ -16,7 +16,8 @@ ELEMENTS = Note(
     Standing.APPROXIMATE,
     "Boundary elements with Coulomb friction. With 80 elements on the half-width the steady creepage differs "
     "from Carter's by at most 0.2 %. This holds for shear forces of 10 to 90 % of mu P; outside this range the "
-    "difference is 0.6 %. Errors halve with twice as many elements. Yield is evaluated for the steady state.",
+    "difference is 0.6 %. With twice as many elements the errors are half as large. Yield is evaluated for the steady "
+    "state.",
     "compared with Carter's closed form; J. J. Kalker, J. Appl. Mech. 37 (1970) 677-688",
 )
 ELEMENTS_ON_LAYERS = Note(
@@ -24,8 +25,8 @@ ELEMENTS_ON_LAYERS = Note(
     Standing.APPROXIMATE,
     "Boundary elements with Coulomb friction and the shear response of the layers. With 80 elements on the "
     "half-width the steady creepage differs from that of `LineRolling` by at most 0.4 %. This holds for shear "
-    "forces of 10 to 90 % of mu P; outside this range the difference is 0.6 %. Errors halve with twice as many "
-    "elements. Yield is evaluated for full sliding.",
+    "forces of 10 to 90 % of mu P; outside this range the difference is 0.6 %. With twice as many elements the errors "
+    "are half as large. Yield is evaluated for full sliding.",
     "compared with singular integral equations of the steady state; J. J. Kalker, J. Appl. Mech. 37 (1970) 677-688",
 )
 DRAGGED = Note(

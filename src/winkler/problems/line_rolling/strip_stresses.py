@@ -62,8 +62,8 @@ def strip_note(strip: RolledStrip, slope: float) -> Note:
     return Note(
         Assumption.SLIP,
         Standing.APPROXIMATE,
-        f"Coulomb friction and steady rolling in plane strain, on {strip.slip.size} elements. The error of the "
-        f"creepage is at most {part:.2g} % of the creepage or of the full-stick creepage at zero shear force, "
+        f"Steady rolling with Coulomb friction in plane strain is solved on {strip.slip.size} elements. The error of "
+        f"the creepage is at most {part:.2g} % of the creepage or of the full-stick creepage at zero shear force, "
         f"whichever is greater. If the creepage is prescribed, the error of the shear force is at most {part:.2g} "
         f"% of the friction limit. {lost}",
         "closed form where all sticks; random strips compared with finer elements",

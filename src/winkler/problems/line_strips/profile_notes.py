@@ -58,7 +58,7 @@ def profile_notes(section: Section, medium: LineMedium, found: FoundStrips | Non
         standing,
         f"{body}. All strips interact. Effects of the ends of a body of finite length and thickness are neglected."
         if layered is None
-        else f"{body}. All strips interact. Effects of the ends of a body of finite length are neglected.",
+        else f"{body}. All strips interact. Effects at the ends of a body of finite length are neglected.",
         source,
     )
     if offers(medium, PowerOfDepth):

@@ -43,7 +43,7 @@ def relaxing_line_notes(bed: RelaxingBed, time: Array, half_width: float) -> tup
         Assumption.RESPONSE,
         layered.in_plane[0] if layered else Standing.EXACT,
         f"{bodies} in plane strain with constant Poisson's ratios, without friction and inertia. While the "
-        f"contact is one strip, {carried}. Effects of the ends of a body of finite length are neglected.",
+        f"contact is one strip, {carried}. Effects at the ends of a body of finite length are neglected.",
         TING,
     )
     examined = Note(

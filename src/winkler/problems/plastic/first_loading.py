@@ -483,7 +483,7 @@ def refuse_unknown(owner: str, bed: Bed, *, layers: bool = False) -> None:
     if not (homogeneous or layers):
         raise InvalidInput(
             f"{owner}: the medium is a {name}; a dent in layers depends on the strength, modulus and thickness of "
-            "every layer. One strength neither determines the dent nor follows from it. Give a HalfSpace. "
+            "every layer. A single strength neither determines the dent nor follows from the dent. Give a HalfSpace. "
             "PlasticIndentation and YieldOnset compute the load up to which layers keep no dent."
         )
     refuse_strengths(owner, bed.medium, (LEAST_POISSON, GREATEST_POISSON) if homogeneous else (-1.0, 0.5))

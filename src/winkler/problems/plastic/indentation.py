@@ -48,8 +48,8 @@ LAW = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
     "Plastic deformation follows tables fitted to finite elements (small strains, no hardening, no friction). In "
-    "their range the error of force and radius is about 2 %. The residual depth has an error of 0.01 of the "
-    "depth, for two yielding bodies of 0.015. Reverse yielding on unloading is neglected. Up to a tenth of the "
+    "their range the error of force and radius is about 2 %. The error of the residual depth is 0.01 of the "
+    "maximum depth, or 0.015 if both bodies yield. Reverse yielding on unloading is neglected. Up to a tenth of the "
     "dissipated energy may remain in the bodies as residual stress.",
     "finite elements of this package; " + JOHNSON,
     0.02,
@@ -57,8 +57,8 @@ LAW = Note(
 HARDENED = Note(
     Assumption.RESPONSE,
     Standing.APPROXIMATE,
-    "A body hardens: its strength is the flow stress at a representative strain. Reference: finite elements of "
-    "balls and cones that were not used in the fit. The force differs by at most 2.5 % (balls). The residual "
+    "A body hardens: its strength is the flow stress at a representative strain. Compared with finite elements of "
+    "balls and cones that were not used in the fit, the force differs by at most 2.5 % (balls). The residual "
     "depth differs by at most 0.015 of the depth for balls and 0.02 for cones.",
     "finite elements of this package; D. Tabor, The Hardness of Metals, Oxford University Press 1951",
     0.025,
@@ -392,8 +392,8 @@ def _ellipse_note(outline: EllipticOutline) -> Note:
         Assumption.SHAPE,
         Standing.APPROXIMATE if ratio <= SLENDEREST else Standing.OUTSIDE,
         "The tables are those of balls, scaled to the yield onset of the ellipse (b/a = "
-        f"{outline.slenderness:.4g}). Reference: finite elements up to b/a = {SLENDEREST:g} and 27 times the "
-        "force of first yield. The depth differs by at most 2 %, the area by 4 %, the residual depth by 0.03 of "
+        f"{outline.slenderness:.4g}). Compared with finite elements up to b/a = {SLENDEREST:g} and 27 times the "
+        "force of first yield, the depth differs by at most 2 %, the area by 4 %, the residual depth by 0.03 of "
         "the depth.",
         "finite elements of this package",
         0.04,

@@ -221,7 +221,7 @@ class ThermalJointSolution(PerLoad[Q]):
                 if stated.jump_distance > 0.0
                 else ""
             )
-            + f". It carries up to {through:.0%} of the heat. Radiation across the gap is neglected."
+            + f". This medium carries up to {through:.0%} of the heat. Radiation across the gap is neglected."
             if stated.gap_conductivity > 0.0
             else "No heat passes through the gap; radiation is neglected."
         )

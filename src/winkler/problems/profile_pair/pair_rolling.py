@@ -362,9 +362,9 @@ def pair_rolling_notes(
         Note(
             Assumption.SLIP,
             standing_left(misfit, Standing.ASYMPTOTIC),
-            f"Exact theory of rolling, {named(friction)} in each pixel. The residual is {misfit:.1g} of the "
-            "energy dissipated at full sliding. The rigid slip follows the rolling radii of both bodies across "
-            "the patch.",
+            f"Kalker's exact theory of rolling, with {named(friction)} in each pixel. The residual of the solution is "
+            f"{misfit:.1g} of the energy dissipated at full sliding. The rigid slip follows the rolling radii of "
+            "both bodies across the patch.",
             KALKER,
         ),
         Note(

@@ -14,18 +14,19 @@ __all__ = ["IN_CYCLES", "IN_IMPACTS", "moving_ring_notes"]
 
 OUTER_RINGS = (
     "Slip annuli are assumed to lie outside the stick zone. Under a changing normal load some annuli slip inside "
-    "it. Reference: annular elements that slip independently of each other, "
+    "it. The reference solution uses annular elements that slip independently of each other, for ratios of contact "
+    "radius to layer thickness "
 )
 IN_IMPACTS = (
-    "a/h from 0.3 to 10. Errors of the tangential velocity after impact are divided by mu times the approach "
-    "velocity. They are at most 3.5 % (base 100 times softer than the layer), 2.8 % (10 times softer) and 0.2 % "
+    "from 0.3 to 10. Errors of the tangential velocity after impact are divided by mu times the approach "
+    "velocity. The errors are at most 3.5 % (base 100 times softer than the layer), 2.8 % (10 times softer) and 0.2 % "
     "(stiffer). The dissipated energy has errors of up to half these percentages of mu times the approach "
     "velocity times the tangential momentum."
 )
 IN_CYCLES = (
-    "a/h from 1 to 10. Errors of the dissipated energy per cycle are divided by mu F_N A_x. They are at most "
-    "0.055 (base 100 times softer than the layer), 0.012 (10 times softer) and 0.002 (10 times stiffer). On the "
-    "softest base in-phase motion appears lossless."
+    "from 1 to 10. Errors of the dissipated energy per cycle are divided by mu F_N A_x. The errors are at most "
+    "0.055 (base 100 times softer than the layer), 0.012 (10 times softer) and 0.002 (10 times stiffer). If "
+    "depth and displacement oscillate in phase on the softest base, the computed dissipated energy is zero."
 )
 RINGS_NOTE = Note(
     Assumption.RESOLUTION,

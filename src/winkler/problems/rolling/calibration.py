@@ -69,8 +69,8 @@ class Kalker:
             statement = (
                 "The spring stiffness is that of a disc rolling without slip, computed by boundary elements "
                 f"within {100.0 * _disc(bed, radius).error:.1g} per cent. Each strip across the rolling direction "
-                "carries at most mu times its normal load. Reference: boundary elements for a ball on layers and "
-                "power laws whose moduli differ up to tenfold. The creep force differs by at most "
+                "carries at most mu times its normal load. Compared with boundary elements for a ball on layers and "
+                "power laws whose moduli differ up to tenfold, the creep force differs by at most "
                 f"{ON_LAYERS[0]:.2g} mu F_N under one creepage (longitudinal or lateral), by at most "
                 f"{ON_LAYERS[1]:.2g} mu F_N under both."
             )
@@ -81,7 +81,7 @@ class Kalker:
         one, both = ball_distances(rolling_pair(bed.medium).poisson)
         statement, source = (
             "The spring stiffness is calibrated with Kalker's coefficients, which give the initial slope of the "
-            "creep force. Reference: Kalker's exact theory, up to full sliding. The creep force differs by at "
+            "creep force. Compared with Kalker's exact theory, up to full sliding, this force differs by at "
             f"most {one:.2g} mu F_N under one creepage (longitudinal or lateral), by at most {both:.2g} mu F_N "
             "under both.",
             MEASURED_BY,
@@ -119,8 +119,8 @@ class Uncalibrated:
             Note(
                 Assumption.CALIBRATION,
                 Standing.OUTSIDE,
-                "The springs are not calibrated, and the traction in rolling is not axisymmetric. Reference: "
-                "Kalker's coefficients of a circle, Poisson's ratios from 0 to 0.5. The initial slope of the "
+                "The springs are not calibrated, and the traction in rolling is not axisymmetric. Compared "
+                "with Kalker's coefficients of a circle, for Poisson's ratios from 0 to 0.5, the initial slope of the "
                 "creep force is too low by 41 to 49 % (longitudinal) and 33 to 41 % (lateral).",
                 KALKER,
             ),

@@ -253,7 +253,7 @@ LIMIT = Note(
     Assumption.CALIBRATION,
     Standing.APPROXIMATE,
     "The limit between shakedown and ratcheting does not depend on the spring stiffness. The springs do not "
-    "distinguish rocking along the force from rocking across it; the limits of these two cases differ little. "
-    "Displacements depend on the calibration, which was made for steady rolling.",
+    "distinguish rocking along the shear force from rocking across the shear force; the limits of these two cases "
+    "differ little. Displacements depend on the calibration, which was made for steady rolling.",
     WETTER,
 )

@@ -41,7 +41,7 @@ HOMOGENEOUS_LINES = Note(
     Assumption.ROUGHNESS,
     Standing.APPROXIMATE,
     "Force, depth and stiffness of a rough surface on a one-dimensional foundation follow the scaling laws of "
-    "the surface. Reference: boundary elements. Median stiffnesses are 0.8 to 1.3 times the reference, median "
+    "the surface. Median stiffnesses are 0.8 to 1.3 times those of boundary elements, median "
     "depths 0.85 to 1.25 times.",
     f"{POHRT}; own boundary elements, Hurst exponents from 0.3 to 0.8",
 )
@@ -50,15 +50,15 @@ NO_AREA = Note(
     Standing.OUTSIDE,
     "The springs are independent and give no true contact area and no mean gap. The values stated here are "
     "Persson's. The area is up to a third too small; the gap is accurate to 20 per cent for pressures up to 0.2 "
-    "E* h'. Use SurfaceContact to compute them.",
+    "E* h'. Use SurfaceContact to compute area and gap.",
     LYASHENKO,
 )
 LAYERED_LINES = Note(
     Assumption.ROUGHNESS,
     Standing.APPROXIMATE,
     "On layers the spring stiffness is that of a flat punch as wide as the sum of all contact lengths. "
-    "Reference: boundary elements, layers 0.25 to 20 times as stiff as the base and 0.02 to 0.3 side lengths "
-    "thick. Median stiffnesses are 0.7 to 1.35 times the reference, median depths 0.8 to 1.25 times.",
+    "Median stiffnesses are 0.7 to 1.35 times those of boundary elements, median depths 0.8 to 1.25 times. The "
+    "comparison covers layers 0.25 to 20 times as stiff as the base and 0.02 to 0.3 side lengths thick.",
     "own boundary elements, four maps of 64 x 64 pixels each, Hurst exponents of 0.4 and 0.8",
 )
 

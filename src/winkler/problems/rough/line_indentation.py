@@ -200,8 +200,8 @@ class RoughIndentationSolution(RoughSolution[Q]):
                 Assumption.ROUGHNESS,
                 Standing.APPROXIMATE,
                 "A rough body on a one-dimensional foundation is exact where its smooth shape carries the load. "
-                "Where single asperities carry it, only the scaling laws are correct. There median stiffness and "
-                "depth differ by up to 25 per cent from boundary elements.",
+                "Where single asperities carry it, only the scaling laws are correct: median stiffness and depth then "
+                "differ by up to 25 per cent from boundary elements.",
                 f"{POPOV}; own boundary elements",
             ),
             *self._line_notes,
@@ -209,8 +209,8 @@ class RoughIndentationSolution(RoughSolution[Q]):
                 Assumption.ROUGHNESS,
                 Standing.APPROXIMATE,
                 "The springs give no true contact area. The area stated here is Persson's for the pressure of "
-                "the smooth body. It is up to a third too small; the error is smaller if roughness spreads the "
-                "pressure of small loads. Use SurfaceContact to compute the area.",
+                "the smooth body. Persson's area is up to a third too small; the error is smaller if roughness spreads "
+                "the pressure of small loads. Use SurfaceContact to compute the area.",
                 POPOV,
             ),
         )

@@ -232,8 +232,8 @@ class ReductionSolution:
                 standing_left(self.misfit, Standing.ASYMPTOTIC),
                 f"The springs represent a height map; they were fitted to {self.depth.size} contact solutions by "
                 f"boundary elements. Between these solutions the force error is at most {self.misfit:.1g} of the "
-                "maximum force (bounds of a convex curve). Stiffness and conductance are less accurate: within 4 "
-                "per cent on rough maps at a tolerance of 1e-3. At light loads their error is larger.",
+                "maximum force (bounds of a convex curve). On rough maps and at a tolerance of 1e-3 the error of "
+                "stiffness and conductance is at most 4 per cent, at light loads larger.",
                 BARBER,
             ),
             *self.bed.notes[1:],

@@ -265,8 +265,8 @@ class SurfaceConductionSolution(PerLoad[Q]):
             "the same flat raised by the height of the map. For a curved map the bounds are wide."
             if stated.in_proportion
             else "With platings or elastic layers conductance is not proportional to stiffness. The current is "
-            "therefore computed on the pixels in contact; the springs give no resistance. The only bound "
-            "is that of full contact. For a round spot n pixels wide the resistance is too high by a "
+            "therefore computed on the pixels in contact; the springs give no resistance. The only bound of the "
+            "conductance is that of full contact. For a round spot n pixels wide the resistance is too high by a "
             "fraction of about 0.5 / n of that of the equal disc."
         )
         bounds = Note(

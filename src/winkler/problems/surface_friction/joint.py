@@ -318,7 +318,7 @@ class JointStiffnessSolution(PerLoad[Q]):
                 Assumption.SLIP,
                 Standing.APPROXIMATE,
                 "The springs assume that slip reduces the contact to that of a smaller force (Ciavarella, "
-                "Jaeger). Reference: boundary elements with friction. Displacements differ by at most "
+                "Jaeger). Compared with boundary elements with friction, displacements differ by at most "
                 f"{_per_cent(self.shift_error)} % of their maximum, the dissipated energy by "
                 f"{_per_cent(self.loss_error)} % of its maximum.",
                 JAEGER,

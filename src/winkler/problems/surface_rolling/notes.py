@@ -61,7 +61,7 @@ def surface_rolling_notes(
     law = Note(
         Assumption.SLIP,
         standing_left(float(np.max(misfit)), Standing.ASYMPTOTIC),
-        f"{bodies} in rolling contact, {named(friction)} in each pixel. The residual is "
+        f"{bodies} roll on each other, with {named(friction)} in each pixel. The residual of the solution is "
         f"{float(np.max(misfit)):.1g} of the energy dissipated at full sliding.{met} the rolling direction there "
         f"are {across} pixels. The error of the forces is proportional to the pixel size: about 0.5 % of mu F_N "
         "with 40 pixels.",

@@ -283,7 +283,7 @@ SEPARATED = Note(
     Standing.APPROXIMATE,
     "All viscous dissipation occurs at the contact edge. The body is assumed fully relaxed: the contact size "
     "over the speed of the edge is much longer than the relaxation times. The edge closes without delay. The "
-    "work of opening follows its law of speed.",
+    "work of adhesion during opening depends on the speed of the edge by the given law.",
     "D. Maugis, M. Barquins, J. Phys. D: Appl. Phys. 11 (1978) 1989-2023, doi:10.1088/0022-3727/11/14/011",
 )
 

@@ -77,8 +77,8 @@ def slip_note(bed: Bed) -> Note:
 SLIDES_EVERYWHERE = Note(
     Assumption.WEAR,
     Standing.APPROXIMATE,
-    "Every point of the contact slides over the whole distance. This applies to a body that stays in contact. "
-    "The other body wears along a track of many contact lengths; its wear is not included.",
+    "Every point of the contact slides over the whole distance. This assumption applies to a body that stays in "
+    "contact. The other body wears along a track of many contact lengths; its wear is not included.",
     "assumption of gross sliding",
 )
 
@@ -143,8 +143,8 @@ def moved_core_note(first: float, alone: float, follow: str) -> Note:
     """
     grows = alone > first * (1.0 + SAME_CORE)
     fate = (
-        f"grows while its surroundings wear, to less than {alone:.4g} m. Its final half-width depends on the law "
-        f"of wear; the stick zone before wear was used. {follow} computes its growth."
+        f"grows while its surroundings wear, to less than {alone:.4g} m. The final half-width of the stick zone "
+        f"depends on the law of wear; the stick zone before wear was used. {follow} computes its growth."
         if grows
         else (
             f"shrinks while its surroundings wear, to {min(first, alone):.4g} m. At this half-width it carries "
