@@ -49,7 +49,7 @@ def test_curves_that_are_read_off_are_those_of_the_contact(here, capsys):
     expected = 1.5 * 100.0 / (np.pi * a**2) * np.sqrt(np.maximum(1.0 - (r * 1e-6 / a) ** 2, 0.0))
     np.testing.assert_allclose(p * 1e9, expected, atol=2e-3 * expected.max())
     left, top, right, bottom = panel["box"]
-    size = re.search(r'role="img"[^>]* viewBox="0 0 ([\d.]+) ([\d.]+)"', page)
+    size = re.search(r'<svg(?=[^>]* role="img")[^>]* viewBox="0 0 ([\d.]+) ([\d.]+)"', page)
     assert 0 < left < right < float(size[1])
     assert 0 < top < bottom < float(size[2])
 
