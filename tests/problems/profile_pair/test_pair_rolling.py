@@ -190,7 +190,7 @@ def test_layers_of_the_same_solid_roll_as_profiles_on_a_half_space():
         found = on_layers(medium)
         for name in ("x_force", "y_force", "z_force", "depth", "loss_per_distance"):
             assert getattr(found, name) == pytest.approx(getattr(want, name), rel=rel, abs=1e-9), name
-    with pytest.raises(wk.OutsideValidity, match="isotropic bodies of a HalfSpace"):
+    with pytest.raises(wk.OutsideValidity, match="the stress below the surface of a height map on a DepthGradedHalfSpace"):
         found.patches[0].stresses(0.0, 0.0, 1e-6)
 
 
@@ -284,7 +284,7 @@ def test_notes_state_creepage_and_yield():
     (note,) = small
     assert note.standing is wk.Standing.OUTSIDE
     assert note.statement.count(".") - note.statement.count(". ") >= 1
-    assert "here they reach 18 per cent, and it takes them below 10 per cent" in note.statement
+    assert "here they reach 18 per cent, and its limit is 10 per cent" in note.statement
     gentle = wk.ProfilePairRolling(on_flat(pixels=32), MU).solve()
     (note,) = (note for note in gentle.validity if note.assumption is wk.Assumption.SMALL_SLOPES)
     assert note.standing is wk.Standing.ASYMPTOTIC

@@ -38,6 +38,10 @@ class SpringPiece(NamedTuple):
     slides: int
 
 
+REPLACED, FEW = 4, 512
+"""Pieces over those of the present stack, beyond a few, from which on it goes on by itself."""
+
+
 class SlipPieces:
     """The pieces that all states of a path share: each of them is put once, and never changes."""
 
@@ -55,6 +59,27 @@ class SlipPieces:
             for piece in range(self.columns.used[0]):
                 self.columns.known[piece] = 0
         return self.columns
+
+    def crowded(self, top: int) -> bool:
+        """Whether most pieces are none of the stack below a piece: steps have replaced them."""
+        alive = self.columns.count[top] if top >= 0 else 0
+        return bool(self.columns.used[0] > REPLACED * alive + FEW)
+
+    def alone(self, top: int) -> tuple[SlipPieces, dict[int, int]]:
+        """Return the pieces of the stack below a piece without all others, and old number -> new number.
+
+        Who keeps no states of a path then needs no more memory after many steps than after a few.
+        """
+        chain = []
+        while top >= 0:
+            chain.append(top)
+            top = int(self.columns.inner[top])
+        chain.reverse()
+        rows = {name: [getattr(self.columns, name)[piece] for piece in chain] for name in SlipStack._fields[:-1]}
+        rows |= {"inner": list(range(-1, len(chain) - 1)), "outer": [-1] * len(chain)}
+        made = SlipPieces(SlipStack(**rows, used=[len(chain)]))
+        made.summed = self.summed
+        return made, {piece: number for number, piece in enumerate(chain)}
 
 
 class MovedMemory(NamedTuple):

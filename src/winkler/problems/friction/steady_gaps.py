@@ -110,6 +110,10 @@ def turned_memories(depth: float, beta: float, history: TurnHistory) -> Iterator
     for point, (motion, head) in enumerate(zip(motions, branches.heads, strict=True)):
         while kept and next(reversed(kept)) > head:
             kept.popitem()
+        last = kept[next(reversed(kept))] if kept else -1
+        if pieces.crowded(last):  # of what is remembered the pieces of each turn are within those of the next
+            pieces, number = pieces.alone(last)
+            stack, kept = pieces.columns, {turn: number.get(piece, -1) for turn, piece in kept.items()}
         kept[point] = until(head, fronts[point])
         outermost = beyond(kept[point], point, depth, int(branches.directions[point]))
         yield SlipMemory(depth, motion, pieces, outermost)

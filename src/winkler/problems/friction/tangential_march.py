@@ -206,6 +206,12 @@ class SlipRow(PressedRow[SlipState]):
     def reach(self, state: SlipState, start: SlipGoal, goal: SlipGoal) -> Reached[SlipState]:
         """Return as `Row.reach`; pieces of trial steps are forgotten."""
         fast = self._table is not None
+        if self.pieces.crowded(state.top):
+            self.pieces, numbers_of = self.pieces.alone(state.top)
+            if fast:
+                self.pieces.columns = arrays_of(self.pieces.columns)
+            self.cells = self.cells._replace(stack=self.pieces.columns)
+            state = state._replace(top=numbers_of.get(state.top, -1))
         numbers = self._fast(state, start, goal) if fast else slip_reach(self, state, start, goal)
         return Reached(SlipState(*numbers[:4]), *numbers[4:])
 
