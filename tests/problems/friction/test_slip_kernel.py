@@ -87,5 +87,6 @@ def test_ten_thousand_turning_points_need_little_memory():
     force = 1000.0 * (1.0 + 0.2 * rng.uniform(-1.0, 1.0, count))
     path = wk.Path(np.arange(count) * 1.0, wk.Force(force), wk.ShearForce(200.0 * rng.uniform(-1.0, 1.0, count)))
     states = wk.Tangential(wk.Foundation(SHAPES["ball"], STEEL), wk.Coulomb(MU), path).solve().states
-    assert states[0].memory.pieces is states[-1].memory.pieces
-    assert states[0].memory.pieces.columns.used[0] <= 6 * count
+    shared = {id(state.memory.pieces): state.memory.pieces for state in states}
+    assert len(shared) < count / 50
+    assert sum(pieces.columns.used[0] for pieces in shared.values()) <= 6 * count

@@ -206,7 +206,9 @@ def test_a_method_is_taken_or_refused_with_the_nearest():
     for problem in (wk.Tangential(bed, wk.Coulomb(MU), path, wk.Method.EXACT), swing):
         with pytest.raises(wk.OutsideValidity, match="exact needs one ratio: give the method rings"):
             problem.solve()
-    with pytest.raises(wk.OutsideValidity, match="no annulus slips before full sliding of this contact; give the method spr"):
+    with pytest.raises(
+        wk.OutsideValidity, match="no annulus slips before full sliding of this contact; give the method spr"
+    ):
         wk.FrictionDamping(flat, wk.Coulomb(MU), wk.Depth(D), wk.Shift(shift), wk.Method.RINGS).solve()
     with pytest.raises(wk.InvalidInput, match="exact follows Coulomb's law .* give the method springs"):
         wk.Tangential(half, wk.StaticKinetic(0.4, MU), path, wk.Method.EXACT)

@@ -190,7 +190,9 @@ def test_layers_of_the_same_solid_roll_as_profiles_on_a_half_space():
         found = on_layers(medium)
         for name in ("x_force", "y_force", "z_force", "depth", "loss_per_distance"):
             assert getattr(found, name) == pytest.approx(getattr(want, name), rel=rel, abs=1e-9), name
-    with pytest.raises(wk.OutsideValidity, match="the stress below the surface of a height map on a DepthGradedHalfSpace"):
+    with pytest.raises(
+        wk.OutsideValidity, match="the stress below the surface of a height map on a DepthGradedHalfSpace"
+    ):
         found.patches[0].stresses(0.0, 0.0, 1e-6)
 
 
