@@ -22,7 +22,7 @@ from winkler.plot.panel import Panel, PanelAxis, Sheet
 from winkler.plot.render import render
 from winkler.plot.series import Scale
 from winkler.plot.svg.letters import OF, runs_of, width_of
-from winkler.plot.svg.pixels import Colours
+from winkler.plot.svg.pixels import Colours, stops_of
 from winkler.plot.svg.scales import round_steps
 from winkler.plot.svg.sheet import drawing_of
 from winkler.values.errors import InvalidInput
@@ -226,13 +226,12 @@ def test_cells_of_unequal_width_are_resampled_to_their_places():
     assert np.mean(row[:, 0] == row[0, 0]) == pytest.approx(0.25, abs=0.01)
 
 
-@pytest.mark.parametrize("name", sorted(style.MAPS))
+@pytest.mark.parametrize("name", [*sorted(style.MAPS), "viridis"])
 def test_colours_are_those_of_matplotlib(name):
     from matplotlib import colormaps
 
     along = np.linspace(0.0, 1.0, 101)
-    stops = np.array([style.channels(f"#{stop}") for stop in style.MAPS[name].split()])
-    apart = np.abs(Colours(stops, 0.0, 1.0).of(along) - colormaps[name](along)[:, :3])
+    apart = np.abs(Colours(stops_of(name) / 255.0, 0.0, 1.0).of(along) - colormaps[name](along)[:, :3])
     assert np.mean(apart) < 0.01
     assert np.max(apart) < 0.045  # straight lines between 17 colours; cividis has a kink between two
 

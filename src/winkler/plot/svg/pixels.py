@@ -26,6 +26,7 @@ __all__ = [
     "image_data",
     "levels_of",
     "map_pixels",
+    "stops_of",
 ]
 
 PER_POINT = 2.0
@@ -66,8 +67,13 @@ def _text(channels: Array) -> str:
     return "#" + "".join(f"{round(float(part)):02x}" for part in channels)
 
 
-def _stops(colours: Any) -> Array:
-    texts = style.MAPS[colours].split() if isinstance(colours, str) else [one.removeprefix("#") for one in colours]
+def stops_of(colours: Any) -> Array:
+    """Return the colours of a map by name, or single ones, ``(n, 3)`` from 0 to 255."""
+    if isinstance(colours, str):
+        known = colours in style.MAPS
+        texts = style.MAPS[colours if known else f"{colours}_r"].split()[:: 1 if known else -1]
+    else:
+        texts = [one.removeprefix("#") for one in colours]
     return np.array([[int(text[place : place + 2], 16) for place in (0, 2, 4)] for text in texts], dtype=float)
 
 
@@ -84,13 +90,13 @@ def colours_of(mark: Map) -> Colours:
     factor = mark.bar.scale.factor
     if mark.kind == "contours":
         levels = levels_of(mark)
-        return Colours(_stops(mark.colours), float(levels[0]), float(levels[-1]))
+        return Colours(stops_of(mark.colours), float(levels[0]), float(levels[-1]))
     content = np.asarray(mark.levels if mark.kind == "discs" else mark.z / factor, dtype=float)
     content = content[np.isfinite(content) & ((content > 0.0) if mark.bar.log else True)]
     ends = (float(np.min(content)), float(np.max(content))) if content.size else (0.0, 1.0)
     low = ends[0] if mark.bar.low is None else mark.bar.low / factor
     high = ends[1] if mark.bar.high is None else mark.bar.high / factor
-    return Colours(_stops(mark.colours), low, high, mark.bar.log, not isinstance(mark.colours, str))
+    return Colours(stops_of(mark.colours), low, high, mark.bar.log, not isinstance(mark.colours, str))
 
 
 def contour_bands(mark: Map) -> list[tuple[str, list[Array]]]:
