@@ -66,6 +66,9 @@ def browser(workers, tmp_path_factory):
     """What sends requests to the app."""
     folder = tmp_path_factory.mktemp("uploads")
     visitors = Visitors(60.0, MOST, folder, Standby())
+    # the app of this process may have run already: tests of this file need not follow each other
+    core.app.middleware_stack = None
+    core.app.user_middleware[:] = [each for each in core.app.user_middleware if each.cls is not assembly.Security]
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(assembly, "LARGEST", LARGEST)
         assembly.assemble(visitors, (HOME, origin_of("http://localhost:8765")))
