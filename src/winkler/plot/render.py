@@ -19,6 +19,7 @@ from winkler.plot.render_axis import set_axis, thin_ticks
 from winkler.plot.render_marks import draw_mark
 from winkler.plot.svg.legend import ABOVE, free_place, room_above
 from winkler.plot.svg.letters import Rectangle
+from winkler.plot.svg.scales import points_along
 from winkler.values.checks.physical_size import as_text
 from winkler.values.errors import InvalidInput
 
@@ -211,12 +212,7 @@ def _along(corners: Array, line: Line2D) -> Array:
         return corners
     if line.get_linewidth() < THIN and not marked:
         return corners[:0]
-    steps = np.diff(corners, axis=0)
-    with np.errstate(invalid="ignore"):
-        counts = np.clip(np.nan_to_num(np.hypot(*steps.T) / 2.0), 1.0, 1000.0).astype(int)
-    start = np.repeat(np.arange(len(steps)), counts)
-    part = (np.arange(len(start)) - np.repeat(np.cumsum(counts) - counts, counts)) / np.repeat(counts, counts)
-    return np.concatenate([corners[start] + part[:, None] * steps[start], corners[-1:]])
+    return points_along(corners)
 
 
 def _within(dots: Array, box: Bbox) -> Array:

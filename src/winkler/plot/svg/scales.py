@@ -20,6 +20,7 @@ __all__ = [
     "digits_of_decades",
     "levels_between",
     "narrow_parts",
+    "points_along",
     "round_steps",
     "side_of",
     "ticks_of",
@@ -269,3 +270,15 @@ def broken(title: str) -> str:
     words = name.split(" ")
     half = next(count for count in range(1, len(words) + 1) if 2 * len(" ".join(words[:count])) >= len(name))
     return "\n".join(part for part in (" ".join(words[:half]), " ".join(words[half:]) + dollar + symbol) if part)
+
+
+def points_along(corners: Array) -> Array:
+    """Return the corners ``(n, 2)`` of a curve and points between them, about two points of the picture apart."""
+    if len(corners) < 2:
+        return corners
+    steps = np.diff(corners, axis=0)
+    with np.errstate(invalid="ignore"):
+        counts = np.clip(np.nan_to_num(np.hypot(*steps.T) / 2.0), 1.0, 1000.0).astype(int)
+    start = np.repeat(np.arange(len(steps)), counts)
+    part = (np.arange(len(start)) - np.repeat(np.cumsum(counts) - counts, counts)) / np.repeat(counts, counts)
+    return np.concatenate([corners[start] + part[:, None] * steps[start], corners[-1:]])

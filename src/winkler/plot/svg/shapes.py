@@ -19,7 +19,7 @@ from winkler.plot.svg.pixels import (
     image_data,
     map_pixels,
 )
-from winkler.plot.svg.scales import Side
+from winkler.plot.svg.scales import Side, points_along
 
 __all__ = [
     "HATCH",
@@ -206,7 +206,7 @@ def _line(mark: marks.Line, plane: Plane) -> Iterable[DrawnShape]:
         look = stroke(mark.colour, mark.width, mark.dash, mark.alpha, blunt=mark.blunt)
         kind = "curve marked" if mark.marker else "curve"
         text = f'<path class="{kind}" d="{path}" {look} stroke-linejoin="round"/>' if path else ""
-        covers = _between(x, y) if mark.width >= 1.0 or mark.marker else covers
+        covers = points_along(np.stack([x, y], axis=1)) if mark.width >= 1.0 or mark.marker else covers
     for errors, side in ((mark.error_x, 0), (mark.error_y, 1)):
         if errors is not None:
             text += _error_bars(mark, plane, errors, side)
@@ -235,19 +235,6 @@ def _error_bars(mark: marks.Line, plane: Plane, errors: Array, side: int) -> str
         for a, b in zip([*x0.tolist(), *x1.tolist()], [*y0.tolist(), *y1.tolist()], strict=True):
             path += f"M{a - back[0]:.1f} {b - back[1]:.1f}{cap}" if math.isfinite(a + b) else ""
     return f'<path d="{path}" {stroke(mark.error_colour or mark.colour, mark.width, blunt=True)}/>'
-
-
-def _between(x: Array, y: Array) -> Array:
-    """Return the points of a curve, and those between them, about two points from each other."""
-    corners = np.stack([x, y], axis=1)
-    if len(corners) < 2:
-        return corners
-    steps = np.diff(corners, axis=0)
-    with np.errstate(invalid="ignore"):
-        counts = np.clip(np.nan_to_num(np.hypot(*steps.T) / 2.0), 1.0, 1000.0).astype(int)
-    start = np.repeat(np.arange(len(steps)), counts)
-    part = (np.arange(len(start)) - np.repeat(np.cumsum(counts) - counts, counts)) / np.repeat(counts, counts)
-    return np.concatenate([corners[start] + part[:, None] * steps[start], corners[-1:]])
 
 
 def _dots(mark: marks.Dots, plane: Plane) -> Iterable[DrawnShape]:
