@@ -7,6 +7,7 @@ from typing import ClassVar, Protocol
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.wave_constants import Wave
 from winkler.media.relaxing.relaxing_medium import RelaxingLayers, RelaxingMedium
+from winkler.numerics.springs.rate_fit import RateFit
 from winkler.numerics.transforms.wave_creep import WaveCreep
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values.errors import OutsideValidity
@@ -51,6 +52,15 @@ class RelaxingByWaves(RelaxingLayers, Protocol):
         NotConverged
             If the sum of exponentials is wrong by more than 1e-5.
         """
+        raise NotImplementedError
+
+    @property
+    def rates(self) -> RateFit | None:
+        """At which rates the stack answers as elastic ones do, pushed and pressed; None if no elastic one is alike."""
+        return None
+
+    def elastic_at(self, rate: float) -> CoatedHalfSpace:
+        """Return the elastic stack that answers alike at one of these rates [1/s]."""
         raise NotImplementedError
 
     def timeless(self) -> OutsideValidity:

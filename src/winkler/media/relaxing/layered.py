@@ -40,6 +40,7 @@ from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.media.relaxing.relaxing_medium import LEE
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.springs.exponential_sums import of_relaxation
+from winkler.numerics.springs.rate_fit import RateFit, fit_rates
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_NUMBER
 from winkler.numerics.transforms.wave_creep import WaveCreep, fit_wave_creep
 from winkler.numerics.types import Array, ComplexArray
@@ -145,6 +146,27 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
         return _wave_creep(self)
 
     @property
+    def rates(self) -> RateFit:
+        """At which rates the stack answers as elastic ones do."""
+        return _rate_fit(self)
+
+    def elastic_at(self, rate: float) -> CoatedHalfSpace:
+        """Return the elastic stack that answers alike at a rate [1/s], infinite for a sudden step."""
+        return self.elastic_with(lambda solid: float(np.real(solid_at(solid, np.array(rate)).shear)))
+
+    def _least_share(self, s: ComplexArray) -> Array:
+        """Return the smallest compliance of a solid at rates [1/s] over that after all time."""
+        shares = [solid.series.relaxed / np.abs(solid_at(solid, s).shear) for solid in self.relaxing_solids]
+        return np.asarray(np.min(shares, axis=0))
+
+    @property
+    def _retarded(self) -> tuple[float, float]:
+        """Between which the retardation times of the stack lie [s]."""
+        series = [solid.series for solid in self.relaxing_solids]
+        longest = max(float(np.max(of_relaxation(each).times)) for each in series)
+        return min(float(np.min(each.times)) for each in series), longest
+
+    @property
     def thickness(self) -> float:
         """Depth below which the body is homogeneous [m]."""
         return float(self.bodies.thickness)
@@ -184,16 +206,12 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
 
 
 @cached_by_value(32)
+def _rate_fit(medium: ViscoelasticCoatedHalfSpace) -> RateFit:
+    return fit_rates(medium._retarded, medium._least_share)
+
+
+@cached_by_value(32)
 def _wave_creep(medium: ViscoelasticCoatedHalfSpace) -> WaveCreep:
-    solids = medium.relaxing_solids
-
-    def share(s: ComplexArray) -> Array:
-        return np.asarray(np.min([solid.series.relaxed / np.abs(solid_at(solid, s).shear) for solid in solids], axis=0))
-
-    times = (
-        min(float(np.min(solid.series.times)) for solid in solids),
-        max(float(np.max(of_relaxation(solid.series).times)) for solid in solids),
-    )
     stacks = [stack.response for stack in (medium.glassy, medium.relaxed)]
     waves = FIRST_WAVE_NUMBER / max(stack.span for stack in stacks), DECAY_SPAN / stacks[0].length
-    return fit_wave_creep(medium.pressed_waves, share, times, waves)
+    return fit_wave_creep(medium.pressed_waves, medium._least_share, medium._retarded, waves)

@@ -36,7 +36,7 @@ from winkler.problems.line_friction.path import LinePath
 from winkler.problems.row import Reached, Row
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["ElementRow", "LineCells", "LineGoal", "TouchingElements", "refuse_sliding"]
+__all__ = ["ElementRow", "LineCells", "LineGoal", "TouchingElements", "refuse_sliding", "stuck_compliance"]
 
 STEPS, STEPS_BESIDE = 24, 72
 """Steps over a change of the shear force by what friction bears at most, and of the bulk stress in proportion; while
@@ -300,6 +300,11 @@ class ElementRow(Row[LineGoal, LineCells]):
         ahead[came] += cells.last[came] * np.divide(left, gone, out=np.zeros_like(left), where=gone > 0.0)
         return ahead
 
+    def _if_stuck(self, cells: LineCells) -> float:
+        """Return the shift over A of a strip as wide that sticks."""
+        scale = self.elements.scale
+        return cells.goal.shear * stuck_compliance(self.bed, scale * cells.half_width, scale)
+
     def lost_per_length(self, lost: float) -> float:
         """Return a loss [J/m]."""
         return self.unit * self.elements.scale * lost
@@ -309,7 +314,7 @@ class ElementRow(Row[LineGoal, LineCells]):
         rows, scale, modulus = np.flatnonzero(cells.bound), self.elements.scale, self.bed.medium.modulus
         shift = cells.shift
         if rows.size:
-            shift -= cells.goal.shear * _stuck(self.bed, scale * cells.half_width, scale)
+            shift -= self._if_stuck(cells)
         return TouchingElements(
             scale * self.elements.x[rows],
             scale * self.elements.widths[rows],
@@ -323,7 +328,7 @@ class ElementRow(Row[LineGoal, LineCells]):
 
 
 @functools.lru_cache(maxsize=64)
-def _stuck(bed: LineBed, half_width: float, unit: float) -> float:
+def stuck_compliance(bed: LineBed, half_width: float, unit: float) -> float:
     """Return the displacement of a strip that sticks, as of `LineBed.stuck_compliance`, kept."""
     return bed.stuck_compliance(half_width, unit)
 

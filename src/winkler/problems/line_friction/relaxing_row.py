@@ -6,15 +6,17 @@ The surfaces of half-planes, and of layers that relax alike, move along each oth
 
 in the place of the traction q over E*, with the creep C of the normal contact.  Over a step q is taken as straight, so
 that c at its end is a part that has crept already and an effective compliance times q: what sticks and what slips is
-found as on elastic bodies.  The pressures are those of `winkler.problems.line_viscoelastic.indentation`.  Steps begin
-short after each point of the path, where rates have changed, and grow fourfold until they are as long as those of
-elastic elements; none is halved.
+found as on elastic bodies.  On layers that relax each by a law of its own every term of the creep has its own
+compliance of the elements (`winkler.numerics.springs.rate_fit`).  The pressures are those of
+`winkler.problems.line_viscoelastic.indentation`.  Steps begin short after each point of the path, where rates have
+changed, and grow fourfold until they are as long as those of elastic elements; none is halved.
 """
 
 from __future__ import annotations
 
+import dataclasses
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import pairwise
 from typing import Any
 
@@ -22,11 +24,13 @@ import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.line_bed import LineBed
 from winkler.laws.friction import Coulomb
 from winkler.materials.elastic import Rigid
 from winkler.media.relaxing.at_rate import half_space_creep
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.springs.exponential_sums import CreepSeries
+from winkler.numerics.springs.rate_fit import RateFit
 from winkler.numerics.surfaces.strip_grid import StuckStrip, strip_step
 from winkler.numerics.types import Array
 from winkler.problems.line_friction.element_row import (
@@ -37,11 +41,11 @@ from winkler.problems.line_friction.element_row import (
     LineCells,
     LineGoal,
     refuse_sliding,
+    stuck_compliance,
 )
-from winkler.problems.line_friction.elements import elements_for, pressures_of
+from winkler.problems.line_friction.elements import LineElements, elements_for, pressures_of
 from winkler.problems.line_friction.marched_states import LineMarchedState, marched_state
 from winkler.problems.line_friction.path import LinePath
-from winkler.problems.line_viscoelastic.crept_load import CreptLoad
 from winkler.problems.line_viscoelastic.indentation import LineViscoelasticIndentation
 from winkler.problems.line_viscoelastic.layered_strips import elastic_line
 from winkler.problems.line_viscoelastic.path import LineForcePath
@@ -59,13 +63,80 @@ SPRINGS = 250
 GAUSS, WEIGHTS = np.polynomial.legendre.leggauss(2)
 
 
+class ElementsAlike:
+    """What elements remember on bodies that relax by one function of time: one compliance, times numbers.
+
+    Parameters
+    ----------
+    elements : LineElements
+    line : LineBed
+        The bodies as if they were elastic.
+    creep : CreepSeries
+        By what their compliance is multiplied.
+    """
+
+    def __init__(self, elements: LineElements, line: LineBed, creep: CreepSeries) -> None:
+        self.elements, self.line, self.factors = elements, line, _factors(creep)
+        self.grid = StuckStrip(elements.compliance, elements.widths)
+
+    def effective(self, shares: Array) -> tuple[StuckStrip, float]:
+        """Return elements and what their compliance is multiplied by where parts of each term have crept ``(2 + k,)``."""
+        return self.grid, float(self.factors @ shares)
+
+    def moved(self, parts: Array) -> Array:
+        """Return how far tractions have moved the elements that have crept by each term ``(2 + k, n)``."""
+        return np.asarray(self.elements.compliance @ (self.factors @ parts))
+
+    def stuck(self, half_width: float) -> Array:
+        """Return the compliances of a strip that sticks, of each term ``(2 + k,)``."""
+        return self.factors * stuck_compliance(self.line, half_width, self.elements.scale)
+
+
+class ElementsApart:
+    """What elements remember on layers that relax each by a law of its own: each term has a compliance.
+
+    Parameters
+    ----------
+    elements : LineElements
+    line : LineBed
+        The layers after all time.
+    medium : RelaxingByWaves
+    """
+
+    def __init__(self, elements: LineElements, line: LayeredLineFoundation, medium: Any) -> None:
+        self.elements, modulus = elements, line.medium.modulus
+        self.fit: RateFit = medium.rates
+        beds = [dataclasses.replace(line, medium=medium.elastic_at(rate)) for rate in self.fit.rates.tolist()]
+        self.lines = [(bed, modulus / bed.medium.modulus) for bed in beds]
+        edges = elements.scale * elements.edges
+        self.terms = self._terms(lambda bed: bed.shear_compliance(edges))
+
+    def _terms(self, answer: Callable[[LayeredLineFoundation], Array | float]) -> Array:
+        """Return the terms of what elastic lines answer to forces over their modulus; the second, that flows, is zero."""
+        answers = np.stack([share * np.asarray(answer(bed)) for bed, share in self.lines])
+        found = self.fit.terms(answers)
+        return np.insert(found, 1, 0.0, axis=0)
+
+    def effective(self, shares: Array) -> tuple[StuckStrip, float]:
+        """As of `ElementsAlike`."""
+        return StuckStrip(np.tensordot(shares, self.terms, 1), self.elements.widths), 1.0
+
+    def moved(self, parts: Array) -> Array:
+        """As of `ElementsAlike`."""
+        return np.asarray(np.matmul(self.terms, parts[:, :, None]).sum(axis=(0, 2)))
+
+    def stuck(self, half_width: float) -> Array:
+        """As of `ElementsAlike`."""
+        return self._terms(lambda bed: stuck_compliance(bed, half_width, self.elements.scale))
+
+
 class RelaxingElementRow(ElementRow):
     """Elements on bodies that relax; units as of `ElementRow`, on the bodies as if they were elastic.
 
     Parameters
     ----------
     bed : LineFoundation or LayeredLineFoundation
-        On a medium that relaxes by one function of time.
+        On a medium that relaxes.
     friction : float
         mu [-].
     path : LinePath
@@ -75,7 +146,9 @@ class RelaxingElementRow(ElementRow):
     def __init__(self, bed: LineFoundation | LayeredLineFoundation, friction: float, path: LinePath) -> None:
         medium: Any = bed.medium
         self.own = bed
-        self.bed, self.friction, self.creep = elastic_line(bed), friction, medium.creep
+        self.bed, self.friction = elastic_line(bed), friction
+        alike = medium.in_proportion
+        self.creep = medium.creep if alike else CreepSeries(1.0, 0.0, np.ones(medium.rates.times.size), medium.rates.times)
         self.path, self.modulus = path, self.bed.medium.modulus
         self.most = friction * float(np.max(path.across))
         rows = [self._times(n) for n in range(path.moments.size)]
@@ -84,7 +157,9 @@ class RelaxingElementRow(ElementRow):
         half_widths = np.array([state.half_width for state in self.pressed])
         self.elements = elements_for(self.bed, half_widths[ends])
         self.unit = self.modulus * self.elements.scale
-        self.grid = StuckStrip(self.elements.compliance, self.elements.widths)
+        self.sheared = (
+            ElementsAlike(self.elements, self.bed, self.creep) if alike else ElementsApart(self.elements, self.bed, medium)
+        )
         arriving = self._arriving(rows, half_widths)
         if [row.size for row in arriving] != [row.size for row in rows]:  # the edge of the contact moves
             ends, flat, across = self._laid(arriving)
@@ -92,10 +167,14 @@ class RelaxingElementRow(ElementRow):
         self.ends, self.across, self.times = ends, across, flat
         self.along, self.bulk = (np.interp(flat, path.moments, row) for row in (path.along, path.bulk))
         self.along[ends], self.bulk[ends] = path.along, path.bulk
-        strain = half_space_creep(medium.first) if isinstance(medium, ViscoelasticHalfSpace) else self.creep
-        strains = 1.0 if isinstance(medium, ViscoelasticHalfSpace) else self.bed.strain_per_stress
-        self.strains = strains * self._crept(strain, self.bulk)
-        self.shears = self._crept(self.creep, self.along)
+        if isinstance(medium, ViscoelasticHalfSpace):
+            strain, strains = half_space_creep(medium.first), 1.0
+        elif alike:
+            strain, strains = self.creep, self.bed.strain_per_stress
+        else:
+            strain, strains = half_space_creep(medium.on), 1.0
+        self.strains = strains * _factors(strain) @ self._parts(strain, self.bulk)
+        self.shears = self._parts(self.creep, self.along) / self.unit
         self.goals = [LineGoal(*row) for row in zip(path.across / self.unit, *np.zeros((3, ends.size)), strict=True)]
 
     @staticmethod
@@ -103,11 +182,7 @@ class RelaxingElementRow(ElementRow):
         bed: LineFoundation | LayeredLineFoundation, times: Array, forces: Array
     ) -> list[LineViscoelasticState]:
         """Return the contact without friction at all moments."""
-        problem = LineViscoelasticIndentation(bed, LineForcePath(times, forces), SPRINGS)
-        found = {}
-        for state in problem.steps():  # what comes suddenly is the later one
-            found[state.time, state.force_per_length] = state
-        return [found[pair] for pair in zip(times.tolist(), np.asarray(forces).tolist(), strict=True)]
+        return list(LineViscoelasticIndentation(bed, LineForcePath(times, forces), SPRINGS).steps())
 
     def _laid(self, rows: list[Array]) -> tuple[Array, Array, Array]:
         """Return which steps reach the points of the path, and times [s] and normal forces [N/m] of all steps."""
@@ -154,15 +229,15 @@ class RelaxingElementRow(ElementRow):
             found.append(np.append(inner[apart][inner[apart] < row[-1]], row[-1]))
         return found
 
-    def _crept(self, creep: CreepSeries, loads: Array) -> Array:
-        """Return the hereditary integral of a creep and of loads at all moments."""
-        memory, found = CreptLoad(creep), np.zeros(loads.size)
-        for i, (time, load) in enumerate(zip(self.times.tolist(), loads.tolist(), strict=True)):
-            if i and time > self.times[i - 1]:
-                memory.ramp(load, time - float(self.times[i - 1]))
-            else:
-                memory.jump(load)
-            found[i] = memory.present()
+    def _parts(self, creep: CreepSeries, loads: Array) -> Array:
+        """Return loads at all moments, how they have flowed, and are delayed by each term ``(2 + k, moments)``."""
+        found = np.zeros((2 + creep.times.size, loads.size))
+        found[0], before = loads, 0.0
+        for i, (load, dt) in enumerate(zip(loads.tolist(), np.diff(self.times, prepend=self.times[0]), strict=True)):
+            gone, share = _faded(creep, dt)
+            found[1, i] = found[1, i - 1] + 0.5 * dt * (before + load)
+            found[2:, i] = (1.0 - gone) * found[2:, i - 1] + (gone - share) * before + share * load
+            before = load
         return found
 
     def states(self, law: Coulomb) -> Iterator[LineMarchedState]:
@@ -194,14 +269,14 @@ class RelaxingElementRow(ElementRow):
         """Return the elements at the end of one step."""
         elements, state = self.elements, self.pressed[number]
         dt = float(self.times[number] - self.times[number - 1]) if number else 0.0
-        compliance, carried = self._carried(cells, dt)
+        grid, compliance, carried = self._carried(cells, dt)
         force, shear, strain = self.across[number], self.along[number] / self.unit, float(self.strains[number])
-        goal = LineGoal(force / self.unit, float(self.shears[number]) / self.unit, strain, 0.0)
+        goal = LineGoal(force / self.unit, shear, strain, 0.0)
         if state.half_width == 0.0:
             if shear != 0.0:
                 raise self._sudden(number)
             none = np.zeros(elements.x.size)
-            ahead = -strain * elements.x - elements.compliance @ carried
+            ahead = -strain * elements.x - carried
             parted = cells._replace(
                 goal=goal, traction=none, bound=none, slips=none, ahead=ahead, last=ahead - cells.ahead,
                 half_width=0.0, half_width_before=0.0, shift=0.0, number=number, crept=self._kept(cells, none, dt),
@@ -211,7 +286,7 @@ class RelaxingElementRow(ElementRow):
         bound = self.friction * self._pressures(state, a)
         met = self._met(cells, (bound > 0.0) & (cells.bound == 0.0))
         touches = bound > 0.0
-        before = -met - strain * elements.x - elements.compliance @ carried
+        before = -met - strain * elements.x - carried
         if compliance == 0.0:
             if goal.force == cells.goal.force and self.along[number] == self.along[number - 1]:
                 return Reached(cells._replace(number=number), math.nan, 0.0)
@@ -219,11 +294,11 @@ class RelaxingElementRow(ElementRow):
         if abs(shear) >= self.friction * goal.force * (1.0 - ROUNDING):
             side = math.copysign(1.0, shear)
             traction, slips = side * bound, side * touches
-            moved = elements.compliance @ (compliance * traction)
+            moved = grid.compliance @ (compliance * traction)
             shift = float(side * np.max(side * (moved - before), where=touches, initial=-math.inf))
         else:
             found, slips, shift, moved = strip_step(
-                self.grid, before, compliance * bound, cells.slips, total=compliance * float(shear), rounding=ROUNDING
+                grid, before, compliance * bound, cells.slips, total=compliance * float(shear), rounding=ROUNDING
             )
             traction = found / compliance
         ahead = shift - moved + before + met
@@ -244,20 +319,26 @@ class RelaxingElementRow(ElementRow):
             "infinite traction; give the step some time."
         )
 
-    def _carried(self, cells: LineCells, dt: float) -> tuple[float, Array]:
-        """Return the effective compliance of a step, and what has crept already at its end ``(n,)``."""
-        creep, (flowed, delayed) = self.creep, cells.crept
-        gone, share = _faded(creep, dt)
-        compliance = creep.glassy + 0.5 * creep.fluidity * dt + float(creep.compliances @ share)
-        begun = 0.5 * creep.fluidity * dt + float(creep.compliances @ (gone - share))
-        return compliance, flowed + (1.0 - gone) @ delayed + begun * cells.traction
+    def _carried(self, cells: LineCells, dt: float) -> tuple[StuckStrip, float, Array]:
+        """Return elements and effective compliance of a step, and how far they have crept already at its end ``(n,)``.
+
+        What is carried has flowed, and is delayed by each term.
+        """
+        gone, share = _faded(self.creep, dt)
+        flowed, delayed = self._kept(cells, np.zeros(cells.traction.size), dt)
+        grid, compliance = self.sheared.effective(np.concatenate([[1.0, 0.5 * dt], share]))
+        return grid, compliance, self.sheared.moved(np.vstack([0.0 * flowed, flowed, delayed]))
 
     def _kept(self, cells: LineCells, after: Array, dt: float) -> tuple[Array, Array]:
         """Return what of the tractions has flowed and is delayed after a step that ends with those."""
-        creep, (flowed, delayed), before = self.creep, cells.crept, cells.traction
-        gone, share = (row[:, None] for row in _faded(creep, dt))
-        rising = creep.compliances[:, None] * ((gone - share) * before + share * after)
-        return flowed + 0.5 * creep.fluidity * dt * (before + after), (1.0 - gone) * delayed + rising
+        (flowed, delayed), before = cells.crept, cells.traction
+        gone, share = (row[:, None] for row in _faded(self.creep, dt))
+        rising = (gone - share) * before + share * after
+        return flowed + 0.5 * dt * (before + after), (1.0 - gone) * delayed + rising
+
+    def _if_stuck(self, cells: LineCells) -> float:
+        """Return the shift over A of a strip as wide that sticks."""
+        return float(self.sheared.stuck(cells.half_width * self.elements.scale) @ self.shears[:, cells.number])
 
     def _pressures(self, state: LineViscoelasticState, a: float) -> Array:
         """Return the mean pressures on all elements over E*."""
@@ -281,7 +362,7 @@ def refuse_timeless(bed: LineFoundation | LayeredLineFoundation, path: LinePath,
     InvalidInput
     """
     medium: Any = bed.medium
-    if not medium.in_proportion:
+    if not (medium.in_proportion or medium.rates):
         raise InvalidInput(
             f"LineTangential: {medium.reason} Wide and narrow contacts therefore relax differently. This problem "
             "needs one relaxation function for all elements. Give LayeredLineFoundation(profile, "
@@ -302,6 +383,11 @@ def refuse_timeless(bed: LineFoundation | LayeredLineFoundation, path: LinePath,
         raise InvalidInput(
             "LineTangential: the first body is rigid and bears no bulk stress; give the other one first."
         )
+
+
+def _factors(creep: CreepSeries) -> Array:
+    """Return by what loads, what of them has flowed, and is delayed by each term creep ``(2 + k,)``."""
+    return np.array([creep.glassy, creep.fluidity, *creep.compliances])
 
 
 def _faded(creep: CreepSeries, dt: float) -> tuple[Array, Array]:
