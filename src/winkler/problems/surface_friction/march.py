@@ -17,7 +17,9 @@ import numpy as np
 from winkler.laws.friction import Coulomb
 from winkler.laws.varying_friction import SlipWeakening
 from winkler.media.mapped import MappedMedium, layers_of
+from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.numerics.pixels.contact_area import contact_area
+from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.surfaces.pressed_box import box_around
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface
@@ -29,12 +31,15 @@ from winkler.problems.rough.compliance import compliance_of
 from winkler.problems.row import Reached, Row
 from winkler.problems.surface_friction.borne import refuse_beyond
 from winkler.problems.surface_friction.by_turns import by_turns, press_from
+from winkler.problems.surface_friction.crept import CreptMemory, MapCreep
 from winkler.problems.surface_friction.relaxing import SurfaceMemory
 from winkler.problems.surface_friction.state import SurfaceShearState
 from winkler.problems.surface_friction.weakening import loss_of, shear_weakened
 from winkler.profiles.rough.topography import Topography
 
 __all__ = ["MapGoal", "MapPlaces", "MapRow"]
+
+Memory = SurfaceMemory | CreptMemory
 
 NEARBY_LOAD = 0.25
 """A load that differs by more than this part of it from the one before is begun on coarse grids: as fast."""
@@ -72,7 +77,7 @@ class MapPlaces(NamedTuple):
     slipping : ndarray of bool, (nx, ny)
     misfit : float
         As of `ShearedSurface`.
-    memory : SurfaceMemory
+    memory : SurfaceMemory or CreptMemory
     stored, bulk_loss : float
         Energy of the tractions, and what the bodies have lost inside, in pixels cubed times E*.
     """
@@ -87,7 +92,7 @@ class MapPlaces(NamedTuple):
     rubbed: Array
     slipping: Array
     misfit: float
-    memory: SurfaceMemory
+    memory: Memory
     stored: float = 0.0
     bulk_loss: float = 0.0
 
@@ -105,8 +110,8 @@ class MapRow(Row[MapGoal, MapPlaces]):
         Heights of both bodies together.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace or DepthGradedHalfSpace
         Both bodies, as if they were elastic.
-    course : RelaxationSeries
-        By what their moduli are multiplied in the course of time.
+    course : RelaxationSeries or RelaxingByWaves
+        By what their moduli are multiplied in the course of time; or layers that relax each by a law of its own.
     law : Coulomb, LinearSlipWeakening or ExponentialSlipWeakening
         Friction.
     by_force : ndarray of bool, (3,)
@@ -121,18 +126,23 @@ class MapRow(Row[MapGoal, MapPlaces]):
         self,
         rough: Topography,
         medium: MappedMedium,
-        course: RelaxationSeries,
+        course: RelaxationSeries | RelaxingByWaves,
         law: Coulomb | SlipWeakening,
         by_force: Array,
         tolerance: float,
     ):
         self.gaps, self.pixel, self.periodic, self.modulus = rough.gaps, rough.pixel, rough.periodic, medium.modulus
         self.compliance, self.law, self.tolerance = compliance_of(medium).in_units_of(self.pixel[0]), law, tolerance
-        self.layers, self.course, self.by_force = layers_of(medium), course, by_force
-        self.relaxes = course.moduli.size > 0
+        self.layers, self.by_force = layers_of(medium), by_force
         self.coupled = self.compliance.coupling != 0.0  # pressures draw the surface along
         nx, ny = self.gaps.shape
         self.shape, self.aspect = (nx, ny), (1.0, self.pixel[1] / self.pixel[0])
+        self.fresh: Memory
+        if isinstance(course, RelaxationSeries):
+            self.fresh = SurfaceMemory.fresh(course, self.shape)
+        else:
+            self.fresh = CreptMemory.fresh(MapCreep(course, self.shape, self.pixel, periodic=self.periodic), self.shape)
+        self.relaxes = self.fresh.spans.size > 0
         self.patch = self.modulus * self.pixel[0] * self.pixel[1]
         x = np.broadcast_to((np.arange(nx) - 0.5 * (nx - 1))[:, None], self.shape)
         y = np.broadcast_to(((np.arange(ny) - 0.5 * (ny - 1)) * self.aspect[1])[None, :], self.shape)
@@ -142,8 +152,8 @@ class MapRow(Row[MapGoal, MapPlaces]):
     def begin(self, goal: MapGoal) -> Reached[MapPlaces]:
         """Return the map at the first point: straight down first, since that alone shears dissimilar bodies."""
         flat, lines, none = np.zeros(self.shape), np.zeros((2, *self.shape)), np.zeros(self.shape, dtype=bool)
-        memory, apart = SurfaceMemory.fresh(self.course, self.shape), self._apart(self.gaps, 0.0)
-        places = MapPlaces(math.nan, np.zeros(3), 0.0, apart, lines, lines, flat, flat, none, 0.0, memory)
+        apart = self._apart(self.gaps, 0.0)
+        places = MapPlaces(math.nan, np.zeros(3), 0.0, apart, lines, lines, flat, flat, none, 0.0, self.fresh)
         if not self.coupled:
             return self.step(places, goal)
         pressed = self.step(places, goal._replace(motions=np.zeros(3)))
@@ -182,11 +192,11 @@ class MapRow(Row[MapGoal, MapPlaces]):
             pressed, sheared = self._by_turns(state, grid, push, given, gaps, near)
         else:
             if self.relaxes or pushed != state.drive:
-                pressed = self._press(push, gaps, pressed.pressure if near else np.empty(0))
+                pressed = self._press(push, gaps, pressed.pressure if near else np.empty(0), memory.layers(self.layers))
             box = everywhere if self.periodic else box_around(memory.touched() | (pressed.pressure > 0.0))
             here = (slice(None), *box)
-            grid, old = self._grid(box), state.traction[here]
-            before = grid.sheared((memory.held - memory.base)[1:][here])
+            grid, old = memory.grid(self._grid(box)), state.traction[here]
+            before = memory.left(grid, box)
             sheared = self._sheared(state, grid, pressed.pressure, before, given, old, box)
         state, lost = self._rubbed(state._replace(pressed=pressed, drive=pushed), sheared, box)
         return self._kept(state, grid, box, sheared.displacement, lost)
@@ -251,16 +261,16 @@ class MapRow(Row[MapGoal, MapPlaces]):
     ) -> Reached[MapPlaces]:
         """Return the map at the end of a step, under whose tractions a part of it is displaced along the surface."""
         memory = state.memory.end(np.concatenate((state.pressed.pressure[None], state.traction)))
-        carried = grid.sheared(memory.base[1:][(slice(None), *box)]) if self.relaxes else 0.0
+        carried = memory.carried(grid, box) if self.relaxes else 0.0
         stored, lost = memory.energies(grid, box, displacement + carried)
         state = state._replace(memory=memory, stored=stored, bulk_loss=state.bulk_loss + lost)
         return Reached(state, math.nan, self.patch * self.pixel[0] * (rubbed + lost))
 
-    def _sunk(self, memory: SurfaceMemory) -> Array:
+    def _sunk(self, memory: Memory) -> Array:
         """Return the gaps between bodies whose surfaces have been displaced before the step [m]."""
         below = self.layers.in_units_of(self.pixel[0]) if self.layers else None
         surface = SurfaceGrid.of(self.shape, self.aspect, periodic=self.periodic, layers=below)
-        sunk = surface.displaced(memory.base[0])
+        sunk = memory.sunk(surface)
         if self.coupled:
             sunk = sunk + self._grid((slice(None), slice(None))).sunk(memory.base[1:])
         return np.asarray(self.gaps + self.pixel[0] * sunk)
@@ -275,7 +285,7 @@ class MapRow(Row[MapGoal, MapPlaces]):
 
         def pressed_on(gaps: Array) -> PressedSurface:
             nonlocal start
-            pressed = self._press(drive, gaps, start if near else np.empty(0))
+            pressed = self._press(drive, gaps, start if near else np.empty(0), self.layers)
             start = pressed.pressure
             return pressed
 
@@ -287,8 +297,10 @@ class MapRow(Row[MapGoal, MapPlaces]):
             by_load=isinstance(drive, ByLoad),
         )  # fmt: skip
 
-    def _press(self, drive: ByDepth | ByLoad, gaps: Array, start: Array) -> PressedSurface:
-        return press_from(gaps, self.pixel, drive, periodic=self.periodic, start=start, layers=self.layers)
+    def _press(
+        self, drive: ByDepth | ByLoad, gaps: Array, start: Array, layers: SurfaceBelow | None
+    ) -> PressedSurface:
+        return press_from(gaps, self.pixel, drive, periodic=self.periodic, start=start, layers=layers)
 
     def _apart(self, gaps: Array, depth: float) -> PressedSurface:
         return PressedSurface(np.zeros(self.shape), gaps - depth, depth, 0.0, 0.0, 0)

@@ -25,9 +25,12 @@ from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.halfspace import HalfSpace
 from winkler.media.mapped import MappedMedium
 from winkler.media.relaxing.at_rate import GLASSY, elastic_with
+from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.media.relaxing.relaxing_medium import LEE, relaxes
 from winkler.media.relaxing.viscoelastic import creep_ratio
+from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
+from winkler.numerics.surfaces.surface_grid import SurfaceGrid
 from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.times import path_notes
@@ -35,7 +38,7 @@ from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.values.errors import InvalidInput
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["SurfaceMemory", "course_of", "relaxing_map_notes"]
+__all__ = ["SurfaceMemory", "course_of", "loss_factors", "relaxing_map_notes", "rising"]
 
 STILL = RelaxationSeries(1.0, 0.0, np.empty(0), np.empty(0))
 """The course of bodies that do not relax."""
@@ -43,23 +46,27 @@ SHORT = 1e-3
 """Part of a relaxation time below which a loss is taken from its power series: its terms would cancel."""
 
 
-def course_of(owner: str, medium: Any) -> tuple[MappedMedium, RelaxationSeries]:
+def course_of(owner: str, medium: Any) -> tuple[MappedMedium, RelaxationSeries | RelaxingByWaves]:
     """Return the elastic bodies, and by what their moduli are multiplied in the course of time.
+
+    Of layers that relax each by a law of its own these are the elastic ones after all time, and they themselves.
 
     Parameters
     ----------
     owner : str
         Kind of problem, for messages.
     medium : MappedMedium
-        Elastic, or relaxing by one function of time.
+        Elastic, or relaxing.
 
     Raises
     ------
     InvalidInput
-        If it relaxes by more than one function of time, or a dashpot stands alongside.
+        If no elastic layers answer to shear as it does, or a dashpot stands alongside.
     """
     if not relaxes(medium):
         return medium, STILL
+    if not medium.in_proportion and medium.rates:
+        return medium.elastic, medium
     if not medium.in_proportion:
         raise InvalidInput(
             f"{owner}: {medium.reason} Wide and narrow contacts therefore relax differently. This problem needs "
@@ -120,6 +127,26 @@ class SurfaceMemory(NamedTuple):
         none, parts = np.zeros((3, *shape)), np.zeros((series.moduli.size, 3, *shape))
         return cls(series, none, none, parts, parts, none, series.glassy, np.zeros(series.moduli.size))
 
+    def grid(self, made: TractionGrid) -> TractionGrid:
+        """Return the response of the step to tractions over its E*, that of elastic bodies."""
+        return made
+
+    def layers(self, below: SurfaceBelow | None) -> SurfaceBelow | None:
+        """Return what lies below the surface in the step: what lies there in elastic bodies."""
+        return below
+
+    def sunk(self, surface: SurfaceGrid) -> Array:
+        """Return how far the surface is pressed in before the step, in pixels."""
+        return np.asarray(surface.displaced(self.base[0]))
+
+    def carried(self, grid: TractionGrid, box: tuple[slice, slice]) -> Array:
+        """Return how far a part of it is moved along before the step, in pixels."""
+        return grid.sheared(self.base[1:][(slice(None), *box)])
+
+    def left(self, grid: TractionGrid, box: tuple[slice, slice]) -> Array:
+        """Return how far that stands moved along when the step begins, beyond `carried`."""
+        return grid.sheared((self.held - self.base)[1:][(slice(None), *box)])
+
     def touched(self) -> Array:
         """Which pixels have borne something that is remembered, ``(nx, ny)``."""
         return np.asarray(np.any(self.held, 0) | np.any(self.parts, (0, 1)))
@@ -129,7 +156,7 @@ class SurfaceMemory(NamedTuple):
         if self.spans.size == 0:
             return self
         series, spans = self.series, dt / self.series.times
-        lifted = float(series.moduli @ _rising(spans))
+        lifted = float(series.moduli @ rising(spans))
         scale = series.relaxed + lifted
         base = (lifted * self.held - np.tensordot(series.moduli * np.exp(-spans), self.parts, 1)) / scale
         return self._replace(base=base, scale=scale, spans=spans)
@@ -139,7 +166,7 @@ class SurfaceMemory(NamedTuple):
         held, parts = borne + self.base, self.parts
         change = held - self.held
         if self.spans.size > 0:
-            fading, rising = (row[:, None, None, None] for row in (np.exp(-self.spans), _rising(self.spans)))
+            fading, rising = (row[:, None, None, None] for row in (np.exp(-self.spans), rising(self.spans)))
             parts = fading * parts + rising * change
         return self._replace(held=held, change=change, parts=parts, earlier=self.parts)
 
@@ -159,7 +186,7 @@ class SurfaceMemory(NamedTuple):
         stored, lost = 0.5 * series.relaxed * float(np.sum(self.held[here] * moved)), 0.0
         if self.spans.size == 0:
             return stored, lost
-        change, fading, rising = self.change[here], np.exp(-self.spans), _rising(self.spans)
+        change, fading, rising = self.change[here], np.exp(-self.spans), rising(self.spans)
         turned = grid.sheared(change)
         terms = zip(series.moduli.tolist(), self.spans.tolist(), fading, rising, self.earlier, strict=True)
         for modulus, span, fade, rise, part in terms:
@@ -167,16 +194,16 @@ class SurfaceMemory(NamedTuple):
             moved_first = grid.sheared(first)
             products = [float(np.sum(row)) for row in (first * moved_first, first * turned, change * turned)]
             stored += 0.5 * modulus * float(np.dot([fade**2, 2.0 * fade * rise, rise**2], products))
-            lost += modulus * float(np.dot(_loss_factors(span), products))
+            lost += modulus * float(np.dot(loss_factors(span), products))
         return stored, lost
 
 
-def _rising(spans: Array) -> Array:
+def rising(spans: Array) -> Array:
     """Return what each term keeps of a steady change, ``(terms,)``."""
     return np.where(spans > 0.0, -np.expm1(-spans) / np.where(spans > 0.0, spans, 1.0), 1.0)
 
 
-def _loss_factors(span: float) -> tuple[float, float, float]:
+def loss_factors(span: float) -> tuple[float, float, float]:
     """Return by what a term loses: of what it kept at first, twice that with the change, and of the change."""
     if span == 0.0:
         return 0.0, 0.0, 0.0

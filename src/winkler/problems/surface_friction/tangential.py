@@ -17,6 +17,7 @@ from winkler.laws.varying_friction import Slipped
 from winkler.loading.loads import Angle, Depth, ShearForce, Torque
 from winkler.loading.path import Path, numbers_of
 from winkler.media.mapped import MappedMedium
+from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium, relaxes
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad
@@ -117,7 +118,9 @@ class SurfaceTangential:
 
     def __post_init__(self) -> None:
         around = 1 if self.topography.periodic else 4  # what is not repeated is padded to twice its lengths
-        remembered = 3 * self._course[1].moduli.size  # of each term of the relaxation
+        course = self._course[1]
+        terms = course.moduli.size if isinstance(course, RelaxationSeries) else (1 + around) * len(course.rates.times)
+        remembered = 3 * terms  # of each term of the relaxation; waves of all around of what has its own law
         pixels = (2 * around + remembered) * self.topography.heights.size
         affordable("SurfaceTangential", "pixels of two directions with their surroundings", pixels, MOST_NUMBERS)
         missing = self.topography.missing
@@ -150,8 +153,8 @@ class SurfaceTangential:
             )
 
     @property
-    def _course(self) -> tuple[MappedMedium, RelaxationSeries]:
-        """The bodies as if they were elastic, and by what their moduli are multiplied in the course of time."""
+    def _course(self) -> tuple[MappedMedium, RelaxationSeries | RelaxingByWaves]:
+        """The bodies as if they were elastic, and their course in time, as of `course_of`."""
         return course_of("SurfaceTangential", self.medium)
 
     @property
