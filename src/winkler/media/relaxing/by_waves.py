@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from typing import ClassVar, Protocol
 
+import numpy as np
+
 from winkler.media.layered.coated import CoatedHalfSpace
-from winkler.media.layered.wave_constants import Wave
+from winkler.media.layered.pair_response import Mode
 from winkler.media.relaxing.relaxing_medium import RelaxingLayers, RelaxingMedium
 from winkler.numerics.springs.rate_fit import RateFit
 from winkler.numerics.transforms.wave_creep import WaveCreep
@@ -35,22 +37,27 @@ class RelaxingByWaves(RelaxingLayers, Protocol):
         """The elastic stack that is left after all time."""
         raise NotImplementedError
 
-    def pressed_waves(self, s: ComplexArray, xi: Array) -> ComplexArray:
-        """Return what both surfaces answer to pressures at all s ``(S,)`` and wave numbers ``(m,)``, ``(S, m)``."""
-        return self.waves(Wave.NORMAL, xi, s[:, None])
+    def loaded_waves(self, mode: Mode, s: ComplexArray, xi: Array) -> ComplexArray:
+        """Return what both surfaces answer to a load at all s ``(S,)`` and wave numbers ``(m,)``, ``(S, m)``."""
+        parts = [weight * self.waves(part, xi, s[:, None]) for part, weight in mode.value]
+        return np.asarray(sum(parts[1:], parts[0]))
 
-    def creep_of_waves(self, width: float, reach: float) -> WaveCreep:
-        """Return how waves of line load sink after a step.
+    def creep_of_waves(self, width: float, reach: float, mode: Mode = Mode.NORMAL) -> WaveCreep:
+        """Return how waves of line load sink after a step, or move along where they push or twist.
 
         Parameters
         ----------
         width, reach : float
             Of cells that tell the waves apart, and up to which radius they lie [m].
+        mode : Mode, optional
+            The load.
 
         Raises
         ------
         NotConverged
             If the sum of exponentials is wrong by more than 1e-5.
+        OutsideValidity
+            If the answer to the load is not known.
         """
         raise NotImplementedError
 

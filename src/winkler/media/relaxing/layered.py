@@ -14,6 +14,7 @@ and the body asks for :math:`u(x,t) = d(t)-h(x)` where they touch, h the equival
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from typing import Any, ClassVar
 
@@ -24,6 +25,7 @@ from winkler.materials.layered import Layer
 from winkler.materials.relaxing_layer import ViscoelasticLayer
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.pair_response import Mode
 from winkler.media.layered.stack import stack_waves
 from winkler.media.layered.wave_constants import IsotropicAt, Wave
 from winkler.media.relaxing.at_rate import (
@@ -141,9 +143,9 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
         spans = [solid.span for solid in self.relaxing_solids]
         return max(shortest for shortest, _ in spans), min(longest for _, longest in spans)
 
-    def creep_of_waves(self, width: float, reach: float) -> WaveCreep:
-        """Return how all waves of line load sink after a step, of any length; cached by value."""
-        return _wave_creep(self)
+    def creep_of_waves(self, width: float, reach: float, mode: Mode = Mode.NORMAL) -> WaveCreep:
+        """Return how all waves of line load sink or move along after a step, of any length; cached by value."""
+        return _wave_creep(self, mode)
 
     @property
     def rates(self) -> RateFit:
@@ -211,7 +213,8 @@ def _rate_fit(medium: ViscoelasticCoatedHalfSpace) -> RateFit:
 
 
 @cached_by_value(32)
-def _wave_creep(medium: ViscoelasticCoatedHalfSpace) -> WaveCreep:
-    stacks = [stack.response for stack in (medium.glassy, medium.relaxed)]
+def _wave_creep(medium: ViscoelasticCoatedHalfSpace, mode: Mode) -> WaveCreep:
+    stacks = [stack.responding(mode) for stack in (medium.glassy, medium.relaxed)]
     waves = FIRST_WAVE_NUMBER / max(stack.span for stack in stacks), DECAY_SPAN / stacks[0].length
-    return fit_wave_creep(medium.pressed_waves, medium._least_share, medium._retarded, waves)
+    answered = functools.partial(medium.loaded_waves, mode)
+    return fit_wave_creep(answered, medium._least_share, medium._retarded, waves)

@@ -9,6 +9,7 @@ small one, up to the time of the thickness.
 
 from __future__ import annotations
 
+import functools
 import math
 from typing import Annotated, ClassVar
 
@@ -18,6 +19,7 @@ from winkler.materials.elastic import RIGID, Elastic, Rigid
 from winkler.materials.layered import Layer
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.media.layered.pair_response import Mode
 from winkler.media.layered.wave_constants import Wave
 from winkler.media.relaxing.at_rate import (
     GLASSY,
@@ -31,7 +33,10 @@ from winkler.media.relaxing.at_rate import (
 )
 from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.media.relaxing.poroelastic_waves import drained_waves, film_creep
-from winkler.numerics.transforms.wave_creep import WaveCreep
+from winkler.numerics.caching import cached_by_value
+from winkler.numerics.springs.exponential_sums import of_relaxation
+from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_NUMBER
+from winkler.numerics.transforms.wave_creep import WaveCreep, fit_wave_creep
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values.checks.number_checks import Advice, Number, Positive, PositiveNotTiny
 from winkler.values.errors import OutsideValidity
@@ -162,6 +167,9 @@ class PoroelasticFilm(RelaxingByWaves):
         OutsideValidity
             Of shear, which meets the liquid in a manner of its own.
         """
+        if part is Wave.ACROSS:  # which moves no liquid
+            film = np.tanh(xi * self.thickness) / (2.0 * self.shear)
+            return both(part, film, solid_at(self.second, s))
         if part is not Wave.NORMAL:
             raise OutsideValidity(
                 f"PoroelasticFilm: the response of its surface to waves of the kind {part.name.lower()} is not "
@@ -170,8 +178,16 @@ class PoroelasticFilm(RelaxingByWaves):
         found = drained_waves(np.asarray(s) * self.diffusion_time, xi * self.thickness, self.poisson)
         return both(part, found / self.shear, solid_at(self.second, s))
 
-    def creep_of_waves(self, width: float, reach: float) -> WaveCreep:
-        """Return how waves of line load sink after a step, those that cells of a width [m] tell apart."""
+    def creep_of_waves(self, width: float, reach: float, mode: Mode = Mode.NORMAL) -> WaveCreep:
+        """Return how waves of line load sink after a step, those that cells of a width [m] tell apart.
+
+        Raises
+        ------
+        OutsideValidity
+            Of a push, whose waves along their direction meet the liquid.
+        """
+        if mode is not Mode.NORMAL:
+            return _pushed_or_twisted(self, mode)
         thickness = min(self.thickness, MOST_WIDTHS * width)
         unit = film_creep(self.poisson, math.floor(math.log2(width / thickness)), reach > WIDE * thickness)
         film = WaveCreep(
@@ -196,3 +212,19 @@ class PoroelasticFilm(RelaxingByWaves):
         ),
     )
     """What is assumed."""
+
+
+@cached_by_value(32)
+def _pushed_or_twisted(film: PoroelasticFilm, mode: Mode) -> WaveCreep:
+    """Return the creep under a load that moves no liquid: only the second body may relax."""
+    second, times = film.second, (1.0, 1.0)
+    if isinstance(second, ViscoelasticSolid):
+        times = float(np.min(second.series.times)), float(np.max(of_relaxation(second.series).times))
+
+    def share(s: ComplexArray) -> Array:
+        if not isinstance(second, ViscoelasticSolid):
+            return np.ones(s.size)
+        return np.asarray(second.series.relaxed / np.abs(solid_at(second, s).shear))
+
+    waves = FIRST_WAVE_NUMBER / film.thickness, DECAY_SPAN / film.thickness
+    return fit_wave_creep(functools.partial(film.loaded_waves, mode), share, times, waves)

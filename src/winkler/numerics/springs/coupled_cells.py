@@ -99,17 +99,26 @@ class CoupledCells:
         The equivalent profile on a homogeneous body in the middle of the cells [m].
     edge_shift : float, optional
         By so many cells contacts are wider than where their last cells bear nothing.
+    odd : bool, optional
+        Whether mirror images bear the opposite, as under a twist; such cells are not pressed.
     """
 
     def __init__(
-        self, kernels: Array, times: Array, width: float, shape: Array, edge_shift: float = EDGE_SHIFT
+        self,
+        kernels: Array,
+        times: Array,
+        width: float,
+        shape: Array,
+        edge_shift: float = EDGE_SHIFT,
+        *,
+        odd: bool = False,
     ) -> None:
-        count, self.edge_shift = shape.size, edge_shift
+        count, self.edge_shift, self.odd = shape.size, edge_shift, odd
         self.kernels, self.times, self.width, self.shape, self.count = kernels, times, width, shape, count
         self.middle = width * (np.arange(count) + 0.5)
         around = np.zeros((kernels.shape[0], 4 * count))
         around[:, : 2 * count], around[:, 2 * count + 1 :] = kernels, kernels[:, :0:-1]
-        self.waves = np.fft.rfft(around, axis=1).real[:, : 2 * count]
+        self.waves = np.fft.rfft(around, axis=1).real[:, int(odd) : 2 * count + int(odd)]
         self._factors: dict[float, _Factor] = {}
         self._scratch = np.empty((times.size, 2 * count))  # new arrays of this size cost more than what is done in them
 
@@ -123,22 +132,23 @@ class CoupledCells:
 
     def transformed(self, load: Array) -> Array:
         """Return the waves of a load of the cells and their mirror images, ``(2 n,)``."""
-        from scipy.fft import dct
+        from scipy.fft import dct, dst
 
-        return np.asarray(dct(np.concatenate([load, np.zeros(self.count)]), norm="ortho"))
+        return np.asarray((dst if self.odd else dct)(np.concatenate([load, np.zeros(self.count)]), norm="ortho"))
 
     def restored(self, waves: Array) -> Array:
         """Return what waves are in the cells, ``(n,)``."""
-        from scipy.fft import idct
+        from scipy.fft import idct, idst
 
-        return np.asarray(idct(waves, norm="ortho")[: self.count])
+        return np.asarray((idst if self.odd else idct)(waves, norm="ortho")[: self.count])
 
     def matrix(self, kernel: Array) -> Array:
         """Return how cells and their mirror images move one another, ``(n, n)``, for one kernel ``(2 n,)``."""
         from scipy.linalg import hankel, toeplitz
 
         near = kernel[: self.count]  # given twice: a complex row alone would be conjugated
-        return np.asarray(toeplitz(near, near) + hankel(kernel[1 : self.count + 1], kernel[self.count :]))
+        mirrored = hankel(kernel[1 : self.count + 1], kernel[self.count :])
+        return np.asarray(toeplitz(near, near) + (-mirrored if self.odd else mirrored))
 
     def step(
         self, state: LoadedCells, span: float, depth: float | None, force: float | None, beside: float = 0.0
@@ -150,33 +160,49 @@ class CoupledCells:
         from scipy.linalg.lapack import dtrtrs
 
         factor = self._factor(span)
-        depth, pressed, bears, held = self._pressed(factor, state, depth, force, beside)
+        depth, pressed, bears, held = self._pressed(span, state, depth, force, beside)
         # behind the contact the load is zero: the leading block of the factor is that of the contact
         load = np.zeros(self.count)
         if held:
             load[:held], _ = dtrtrs(factor.lower[:, :held], pressed[:held], lower=1, trans=1)
-        waves = self.transformed(load)
-        memory = factor.fade[:, None] * state.memory
-        memory += np.multiply(factor.share[:, None], waves - state.waves, out=self._scratch)
         total = 2.0 * self.width * float(np.sum(load))
         ring = bool(bears[held:].any())
         radius = self._radius(pressed / factor.diagonal, held)
-        return LoadedCells(depth, total, radius, held, ring, load, waves, memory)
+        found = self.loaded(state, span, load)
+        return found._replace(depth=depth, force=total, radius=radius, held=held, ring=ring)
+
+    def loaded(self, state: LoadedCells, span: float, load: Array) -> LoadedCells:
+        """Return the cells after a time [s] in which their load has changed steadily to another one ``(n,)``."""
+        factor, waves = self._factor(span), self.transformed(load)
+        memory = factor.fade[:, None] * state.memory
+        memory += np.multiply(factor.share[:, None], waves - state.waves, out=self._scratch)
+        return state._replace(load=load, waves=waves, memory=memory)
+
+    def carried(self, state: LoadedCells, span: float) -> Array:
+        """Return how far the cells are displaced after a time [s] without a load of theirs [m], ``(n,)``."""
+        factor = self._factor(span)
+        dent = factor.shared * state.waves - np.einsum("mk,mk->k", factor.faded, state.memory)
+        return self.restored(dent) / self.width
+
+    def effective(self, span: float) -> Array:
+        """Return how far loads [N/m] that change steadily over a time [s] displace the cells [m], ``(n, n)``."""
+        share = self._factor(span).share
+        return self.matrix(self.kernels[0] + (1.0 - share) @ self.kernels[1:]) / self.width
 
     def borne(self, state: LoadedCells, span: float, depth: float | None, force: float | None) -> BorneCells:
         """Return depth, force and number of cells after a time, as `step`, without what the cells remember of it."""
         factor = self._factor(span)
-        depth, pressed, _, held = self._pressed(factor, state, depth, force)
+        depth, pressed, _, held = self._pressed(span, state, depth, force)
         return BorneCells(depth, 2.0 * float(pressed[:held] @ factor.unit[:held]), held)
 
     def _pressed(
-        self, factor: _Factor, state: LoadedCells, depth: float | None, force: float | None, beside: float = 0.0
+        self, span: float, state: LoadedCells, depth: float | None, force: float | None, beside: float = 0.0
     ) -> tuple[float, Array, Array, int]:
         """Return depth, displacements v of independent springs ``(n,)``, which of them bear, and how many in a row."""
         from scipy.linalg.lapack import dtrtrs
 
-        dent = factor.shared * state.waves - np.einsum("mk,mk->k", factor.faded, state.memory)
-        offset = -self.width * self.shape - self.restored(dent)
+        factor = self._factor(span)
+        offset = -self.width * (self.shape + self.carried(state, span))
         still, _ = dtrtrs(factor.lower, offset, lower=1)
         if depth is None:
             depth = self._depth_under(force or 0.0, factor.unit, still, beside)
