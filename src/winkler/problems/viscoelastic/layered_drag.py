@@ -38,13 +38,15 @@ from winkler.problems.viscoelastic.layered_march import LayeredMarch, MarchedPoi
 from winkler.problems.viscoelastic.layered_path import MOST_WIDENINGS, WIDENED, contact_reach
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["DraggedLayers", "LayeredDrag", "dragged_layers"]
+__all__ = ["DraggedLayers", "LayeredDrag", "dragged_layers", "refuse_unknown_waves"]
 
 STEPS, LEAST_STEPS, FIRST_SPAN = 48, 12, 0.1
 """Steps over a change of a load by its greatest value, between two points at least, and the first over the shortest
 time of the creep."""
 NODES = 6
 ROUNDING = 1e-12
+NO_SLIP = 1e12
+"""A coefficient of friction under which nothing slides."""
 SLIDING_TOLERANCE = 1e-9
 """A force beyond what friction bears by no more than this part of it is that of sliding."""
 
@@ -106,7 +108,7 @@ class LayeredDrag:
         self, owner: str, bed: Bed, friction: float, *, twisted: bool, reach: float, count: int, tolerance: float
     ) -> None:
         assert offers(bed.medium, RelaxingByWaves)
-        self.owner, self.bed, self.friction, self.twisted = owner, bed, friction, twisted
+        self.owner, self.bed, self.friction, self.twisted = owner, bed, min(friction, NO_SLIP), twisted
         self.cells = cells_of(bed, reach, count)
         width, self.place = self.cells.width, self.cells.middle
         creep = bed.medium.creep_of_waves(width, reach, Mode.ACROSS if twisted else Mode.TANGENTIAL)
@@ -168,6 +170,13 @@ class LayeredDrag:
             state.work + 0.5 * (state.load + borne) * (motion - state.motion),
         )  # fmt: skip
 
+    def stiffness(self, held: int, frequency: float) -> complex:
+        """Return the stiffness of so many cells that stick at an angular frequency [rad/s], in N/m or N m."""
+        cells = self.along
+        kernel = cells.kernels[0] + (1.0 / (1.0 + 1j * frequency * cells.times)) @ cells.kernels[1:]
+        sides = np.asarray(cells.width * self.arm[:held], dtype=complex)
+        return complex(2.0 * sides @ np.linalg.solve(cells.matrix(kernel)[:held, :held], sides))
+
     def _met(self, state: DraggedLayers, point: MarchedPoint, span: float, touches: Array) -> Array:
         """Return how far the second body is ahead, of cells that come into contact as when its edge reaches them."""
         came = touches & (state.bounds == 0.0)
@@ -195,6 +204,17 @@ class LayeredDrag:
         growing = 0.25 ** np.arange(1.0, 0.5 * max(math.log2(1.0 / first), 0.0) + 1.0)
         shares = np.union1d(shares, growing[growing < shares[0]])
         return np.append(start + (end - start) * shares[:-1], end)
+
+
+def refuse_unknown_waves(bed: Bed, *, twisted: bool) -> None:
+    """Refuse layers whose answer to a push, or a twist, is not known.
+
+    Raises
+    ------
+    OutsideValidity
+    """
+    medium: Any = bed.medium
+    medium.loaded_waves(Mode.ACROSS if twisted else Mode.TANGENTIAL, np.zeros(1, dtype=complex), np.ones(1))
 
 
 def dragged_layers(

@@ -11,8 +11,9 @@ the cycle that repeats.
 
 from __future__ import annotations
 
+import itertools
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -26,6 +27,8 @@ from winkler.numerics.types import Array
 from winkler.problems.method import Method, refuse_method
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.row import Reached, follow
+from winkler.problems.viscoelastic.layered_drag import DraggedLayers, LayeredDrag, refuse_unknown_waves
+from winkler.problems.viscoelastic.layered_path import contact_reach, is_layered
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 from winkler.problems.viscoelastic.states import ViscoelasticState
 from winkler.problems.viscoelastic.tangential import dragged_notes, dragged_row
@@ -35,6 +38,8 @@ from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["SteadyCycle", "Swing", "check_cycles", "depth_at_rest", "steady_cycle", "swing_notes"]
 
+FINER = 4
+"""Steps between two points of a cycle on layers that relax each by a law of its own."""
 POINTS = 64
 """Of each oscillation; steps between them are halved on its curve."""
 MOST_CYCLES = 300
@@ -146,13 +151,16 @@ def check_cycles(owner: str, bed: Bed, frequency: float, method: Method) -> None
             )
         return
     refuse_method(owner, method, (Method.AUTO, Method.SPRINGS))
-    series = relaxation_of(owner, bed)
+    layered = is_layered(owner, bed)
+    if layered:
+        refuse_unknown_waves(bed, twisted=False)
     if frequency == 0.0:
         raise InvalidInput(
             f"{owner}: the bodies relax, so that the loss of a cycle depends on how long it lasts; give the frequency "
             "in Hz."
         )
-    if series.relaxed == 0.0 or series.viscosity > 0.0:
+    series = None if layered else relaxation_of(owner, bed)
+    if series and (series.relaxed == 0.0 or series.viscosity > 0.0):
         what = (
             "the body flows for ever and bears no steady load, so that no cycle repeats"
             if series.relaxed == 0.0
@@ -168,8 +176,8 @@ def depth_at_rest(bed: Bed, normal: Depth | Force) -> float:
     """Return the depth after all time under a steady normal load [m]."""
     if isinstance(normal, Depth):
         return float(normal.depth)
-    relaxed = Force(float(normal.force) / relaxation_of("", bed).relaxed)
-    return float(Indentation(elastic_like(bed), relaxed).solve().depth)
+    relaxed = 1.0 if is_layered("", bed) else relaxation_of("", bed).relaxed
+    return float(Indentation(elastic_like(bed), Force(float(normal.force) / relaxed)).solve().depth)
 
 
 def steady_cycle(owner: str, bed: Bed, law: Coulomb, swing: Swing, count: int, tolerance: float) -> SteadyCycle:
@@ -193,39 +201,153 @@ def steady_cycle(owner: str, bed: Bed, law: Coulomb, swing: Swing, count: int, t
     NotConverged
         If a step does not settle, or the cycles do not repeat.
     """
+    if is_layered(owner, bed):
+        return _layered_cycle(owner, bed, law, swing, count, tolerance)
     goals, period = swing.goals(), swing.period
     deepest = np.full(2, swing.depth + swing.depth_amplitude)
     path = Path(np.array([0.0, period]), Depth(deepest), swing.lateral(np.full(2, swing.amplitude)))
     row = dragged_row(owner, bed, law, path, count, tolerance, swing.goal)
     row.owner = owner
-    state, before, last = _at_rest(row, goals[0], swing), None, None
-    allowed, small, error = max(STEADY_STEPS * tolerance, LEAST_STEADY), 0, math.inf
+    state, last = _at_rest(row, goals[0], swing), None
+    settling = Settling(tolerance)
     for turn in range(MOST_CYCLES):
         start = state
         state, cycle = _through(row, bed, goals, start)
-        if before is not None:
-            previous, error = error, cycle.apart(before)
-            cycle = cycle._replace(change=error)
-            # what is left of a geometric series
-            falls = min(error / previous, 0.99) if 0.0 < previous < math.inf else 0.5
-            small = small + 1 if error * max(1.0, falls / (1.0 - falls)) <= allowed else 0
-            if small == 2:
-                if cycle.ring:
-                    raise OutsideValidity(
-                        f"{owner}: the body touches around a dent that does not recover within a cycle, so the "
-                        "contact is not a disc; give a smaller amplitude of the depth, or a lower frequency."
-                    )
-                return cycle
-        before = cycle
+        if settling.settled(cycle):
+            if cycle.ring:
+                raise OutsideValidity(
+                    f"{owner}: the body touches around a dent that does not recover within a cycle, so the "
+                    "contact is not a disc; give a smaller amplitude of the depth, or a lower frequency."
+                )
+            return settling.last
         state = _averaged(row, start, state, period)
         change = [two - one for one, two in zip(_memories(start), _memories(state), strict=True)]
         if turn % 3 == 2 and last is not None:
             state = _ahead(row, state, last, change, period)
         last = change
-    raise NotConverged(
-        f"{owner}: after {MOST_CYCLES} cycles loss and forces still change by {error:.2g} from one to the next; give a "
-        "solid whose glassy modulus is less far above the relaxed one, or a lower frequency."
-    )
+    raise settling.failed(owner)
+
+
+class Settling:
+    """Whether cycles repeat: twice less than allowed may be left of the geometric series of their changes."""
+
+    def __init__(self, tolerance: float) -> None:
+        self.allowed, self.small, self.error = max(STEADY_STEPS * tolerance, LEAST_STEADY), 0, math.inf
+        self.last: Any = None
+
+    def settled(self, cycle: SteadyCycle) -> bool:
+        """Take the next cycle, and return whether it repeats."""
+        if self.last is not None:
+            previous, self.error = self.error, cycle.apart(self.last)
+            cycle = cycle._replace(change=self.error)
+            falls = min(self.error / previous, 0.99) if 0.0 < previous < math.inf else 0.5
+            self.small = self.small + 1 if self.error * max(1.0, falls / (1.0 - falls)) <= self.allowed else 0
+        self.last = cycle
+        return self.small == 2
+
+    def failed(self, owner: str) -> NotConverged:
+        """Return the error of cycles that do not repeat."""
+        return NotConverged(
+            f"{owner}: after {MOST_CYCLES} cycles loss and forces still change by {self.error:.2g} from one to the "
+            "next; give a solid whose glassy modulus is less far above the relaxed one, or a lower frequency."
+        )
+
+
+def _layered_cycle(
+    owner: str, bed: Bed, law: Coulomb, swing: Swing, count: int, tolerance: float
+) -> SteadyCycle:
+    """Return the cycle that repeats on layers that relax each by a law of its own, as of `steady_cycle`.
+
+    After every cycle what cells remember is mixed with what they did.
+    """
+    reach = contact_reach(owner, bed, Depth(0.0), swing.depth + swing.depth_amplitude)
+    row = LayeredDrag(owner, bed, law.coefficient, twisted=False, reach=reach, count=count, tolerance=tolerance)
+    by_force, goals, period = swing.lateral is ShearForce, swing.goals(), swing.period
+    longest = ENDLESS * max(float(row.cells.times[-1]), float(row.along.times[-1]), period)
+    state, depth = row.begin(-2.0 * longest), min(swing.depth, 0.0)
+
+    def go(state: DraggedLayers, time: float, goal: DragGoal) -> DraggedLayers:
+        point = row.march.go(time, Depth(0.0), state.pressed.state.depth, goal.across)
+        return row.pushed(state, point, time - state.pressed.time, goal.along, by_force=by_force)
+
+    for time in (-2.0 * longest, -longest, -period):
+        state = go(state, time, DragGoal(time, swing.depth, 0.0))
+    for share in np.arange(1, FINER + 1) / FINER:
+        time = -period * (1.0 - share)
+        at = DragGoal(time, swing.depth + share * swing.depth_amplitude, share * goals[0].along)
+        state = go(state, time, at)
+    settling, mixing = Settling(tolerance), Mixing()
+    for _ in range(MOST_CYCLES):
+        row.march.time = goals[0].time
+        pressed = state.pressed._replace(time=goals[0].time)
+        start = state = state._replace(pressed=pressed, friction=0.0, bulk=0.0)
+        shift, force, lost = [state.motion], [state.load], row.march.lost
+        for before, goal in itertools.pairwise(goals):
+            for share in np.arange(1, FINER + 1) / FINER:
+                time = before.time + share * (goal.time - before.time)
+                state = go(state, time, goal if share == 1.0 else swing.goal(time))
+            shift.append(state.motion)
+            force.append(state.load)
+        point, pressing = state.pressed, row.march.lost - lost
+        numbers = (*point.numbers()[:4], pressing, point.stored, pressing)
+        contact = ViscoelasticState(
+            *numbers, bed, row.place, point.state.load, row.cells.displacement(point.state)
+        )
+        stuck = abs(row.stiffness(point.state.held, 2.0 * math.pi / period))
+        cycle = SteadyCycle(
+            np.array(shift), np.array(force), state.friction, state.bulk + pressing, pressing, math.inf, False, contact,
+            stuck,
+        )  # fmt: skip
+        if settling.settled(cycle):
+            return settling.last
+        state = _with_kept(state, mixing.next(_kept(start), _kept(state)))
+        row.march.state = state.pressed.state
+    raise settling.failed(owner)
+
+
+KEPT = 4
+"""Cycles of which differences are mixed."""
+
+
+class Mixing:
+    """Fixed points of a map of rows, by Anderson's mixing: what is left is made least over the last few differences."""
+
+    def __init__(self) -> None:
+        self.scales: Array = np.empty(0)
+        self.starts: list[Array] = []
+        self.ends: list[Array] = []
+
+    def next(self, start: list[Array], end: list[Array]) -> list[Array]:
+        """Return rows to go on from, after some have become others."""
+        if not self.starts:
+            self.scales = np.array([max(float(np.max(np.abs(row))), 1e-300) for row in end])
+        shapes = [row.shape for row in end]
+        one, two = (
+            np.concatenate([(row / scale).ravel() for row, scale in zip(rows, self.scales, strict=True)])
+            for rows in (start, end)
+        )
+        self.starts, self.ends = [*self.starts[-KEPT:], one], [*self.ends[-KEPT:], two]
+        left = np.array(self.ends) - np.array(self.starts)
+        if len(left) > 1:
+            share = np.linalg.lstsq(np.diff(left, axis=0).T, left[-1], rcond=1e-10)[0]
+            two = two - np.diff(np.array(self.ends), axis=0).T @ share
+        ends = np.cumsum([math.prod(shape) for shape in shapes])[:-1]
+        parts = zip(np.split(two, ends), shapes, self.scales, strict=True)
+        return [scale * part.reshape(shape) for part, shape, scale in parts]
+
+
+def _kept(state: DraggedLayers) -> list[Array]:
+    """Return all that cells bring into the next cycle."""
+    both = state.pressed.state, state.dragged
+    return [state.ahead, *(row for cells in both for row in (cells.load, cells.waves, cells.memory))]
+
+
+def _with_kept(state: DraggedLayers, rows: list[Array]) -> DraggedLayers:
+    """Return cells that bring other rows."""
+    ahead, *rest = rows
+    one, two = (dict(zip(("load", "waves", "memory"), part, strict=True)) for part in (rest[:3], rest[3:]))
+    pressed = state.pressed._replace(state=state.pressed.state._replace(**one))
+    return state._replace(ahead=ahead, pressed=pressed, dragged=state.dragged._replace(**two))
 
 
 def _at_rest(row: DraggedRow, first: DragGoal, swing: Swing) -> DraggedSprings:

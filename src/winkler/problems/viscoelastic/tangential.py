@@ -39,6 +39,8 @@ from winkler.problems.round_march import RoundSlip
 from winkler.problems.row import Reached, follow
 from winkler.problems.viscoelastic.dragged_cells import DragCells, ring_cells, spring_cells
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+from winkler.problems.viscoelastic.layered_drag import DraggedLayers, LayeredDrag, dragged_layers, refuse_unknown_waves
+from winkler.problems.viscoelastic.layered_path import is_layered
 from winkler.problems.viscoelastic.march import SpringRow, elastic_like, refuse_rings, relaxation_of
 from winkler.problems.viscoelastic.tangential_march import (
     DraggedRow,
@@ -61,6 +63,7 @@ __all__ = [
     "dragged_notes",
     "dragged_row",
     "dragged_states",
+    "layered_columns",
     "pressed_alone",
     "stick_radius",
 ]
@@ -152,6 +155,9 @@ def pressed_alone(owner: str, bed: Bed, path: Path, count: int, tolerance: float
     OutsideValidity
         If what rings bear, or the ratio of the stiffnesses, is not known.
     """
+    if is_layered(owner, bed, count):
+        refuse_unknown_waves(bed, twisted=owner == "Torsion")
+        return ViscoelasticIndentation(bed, Path(path.time, path.normal), count, tolerance)
     relaxation_of(owner, bed)
     if owner == "Torsion":
         twisted_medium(elastic_like(bed).medium)
@@ -160,6 +166,10 @@ def pressed_alone(owner: str, bed: Bed, path: Path, count: int, tolerance: float
 
 def dragged_states(bed: Bed, law: Coulomb, path: Path, count: int, tolerance: float) -> Iterator[DraggedState]:
     """Yield the state at every point of a path, as of `dragged`."""
+    if is_layered("Tangential", bed):
+        for layers, cells in dragged_layers("Tangential", bed, law, path, count, tolerance):
+            yield DraggedState(shift=cells.motion, shear_force=cells.load, **layered_columns(layers, cells))
+        return
     for row, reached in dragged("Tangential", bed, law, path, count, tolerance):
         state = reached.state
         yield DraggedState(shift=state.shift, shear_force=state.shear_force, **columns(row, reached))
@@ -224,6 +234,31 @@ def columns(row: DraggedRow, reached: Reached[DraggedSprings]) -> dict[str, Any]
         "recess": springs.place[cells.under],
         "displacement": state.displaced * (cells.place if cells.motion == "Angle" else 1.0),
         "sticking": state.stuck,
+    }
+
+
+def layered_columns(row: LayeredDrag, cells: DraggedLayers) -> dict[str, Any]:
+    """Return what a state of layers that relax each by a law of its own holds, by the names of its fields."""
+    point, load = cells.pressed, cells.dragged.load
+    time, depth, force, radius, work, _, lost = point.numbers()
+    stuck, part = cells.slips == 0.0, 2.0 if row.twisted else 1.0
+    return {
+        "time": time,
+        "depth": depth,
+        "force": force,
+        "radius": radius,
+        "work": work + cells.work,
+        "stored_energy": row.stored(cells),
+        "dissipation": lost + cells.friction + cells.bulk,
+        "stick_radius": stick_radius(row.place, stuck, cells.bounds - np.abs(load), radius),
+        "friction_loss": cells.friction,
+        "bulk_loss": lost + cells.bulk,
+        "position": row.place,
+        "line_load": point.state.load,
+        "shear_load": part * load,
+        "recess": row.cells.displacement(point.state),
+        "displacement": row.along.displacement(cells.dragged) / part,
+        "sticking": stuck,
     }
 
 
@@ -329,8 +364,10 @@ def dragged_notes(bed: Bed, law: Coulomb, time: Array, depth: Array, radius: Arr
         t [s], d [m], a [m].
     """
     elastic, widest = elastic_like(bed), float(np.max(radius))
-    if layers_of_rings(elastic) is None:
-        slip: tuple[Note, ...] = (CATTANEO,)
+    if is_layered("validity", bed):
+        slip: tuple[Note, ...] = (LAYERED,)
+    elif layers_of_rings(elastic) is None:
+        slip = (CATTANEO,)
     else:
         slip = push_note(elastic, widest), *tables_note(push_bound(elastic, 1.0, widest, False))
     return (
@@ -344,6 +381,14 @@ def dragged_notes(bed: Bed, law: Coulomb, time: Array, depth: Array, radius: Arr
     )
 
 
+LAYERED = Note(
+    Assumption.SLIP,
+    Standing.ASYMPTOTIC,
+    "Tractions are assumed parallel to the motion, and both directions independent (Cattaneo-Mindlin). Cells of line "
+    "load stick or slip at the end of every step. Compared with annuli on elastic layers, the limits of fast and slow "
+    "motion, shear forces and torques differ by at most 0.1 %, dissipated energies by 0.4 % of their maximum.",
+    "tests/problems/viscoelastic/test_dragged_layers.py",
+)
 CATTANEO = Note(
     Assumption.SLIP,
     Standing.ASYMPTOTIC,
