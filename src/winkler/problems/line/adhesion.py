@@ -35,7 +35,8 @@ from winkler.problems.line.cohesive import CohesiveLineStates
 from winkler.problems.line.equilibria import FIXED_GRIPS, LineLaw, line_states
 from winkler.problems.line.layered_strip import OnLayers
 from winkler.problems.line.pressing_load import OfWidth
-from winkler.problems.line.strip import OfStrip, Strip
+from winkler.problems.line.stress import Strip
+from winkler.problems.line.strip import OfStrip
 from winkler.problems.one_load import one_of, single
 from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note

@@ -20,11 +20,12 @@ import numpy as np
 from winkler.foundation.line_bed import LineBed
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
+from winkler.media.offers import PowerOfDepth, offers
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.value import value
 
-__all__ = ["InBody", "LineContact", "LineFields", "fields_of", "one_coefficient", "poisson_of", "stresses"]
+__all__ = ["InBody", "LineContact", "LineFields", "Strip", "fields_of", "one_coefficient", "poisson_of", "stresses"]
 
 
 @value
@@ -61,6 +62,21 @@ class LineFields:
             np.hypot(0.5 * (self.xx_stress - self.zz_stress), self.xz_stress),
         )
         return np.asarray(np.maximum(half, 0.5 * (half + np.abs(middle - self.yy_stress))))
+
+
+class Strip(NamedTuple):
+    """A contact from -a to a.
+
+    Parameters
+    ----------
+    half_width
+        a [m].
+    edge_load
+        Load per length over E* that the edge bears beyond w(a) [m]; negative where it pulls.
+    """
+
+    half_width: float
+    edge_load: float
 
 
 class LineContact(NamedTuple):
@@ -108,6 +124,11 @@ def one_coefficient(owner: str, friction: Any) -> float:
 
 def poisson_of(medium: object, below: bool) -> float:
     """Return Poisson's ratio of the first body (`below`) or the second; refuse one without stresses."""
+    if offers(medium, PowerOfDepth):
+        raise OutsideValidity(
+            "The stresses inside a GradedHalfSpace are not known to winkler; request the surface, or sample the "
+            "grading by the layers of a CoatedHalfSpace."
+        )
     body = getattr(medium, "first" if below else "second", None) if isinstance(medium, HalfSpace) else None
     if not isinstance(body, Elastic):
         raise OutsideValidity(

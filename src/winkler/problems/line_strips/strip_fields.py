@@ -85,11 +85,6 @@ def strip_fields(
     OutsideValidity
         If the body has no stresses that are known.
     """
-    if offers(medium, PowerOfDepth):
-        raise OutsideValidity(
-            "The stresses inside a GradedHalfSpace are not known to winkler; request the surface, or sample the "
-            "grading by the layers of a CoatedHalfSpace."
-        )
     layered = layers_below(medium)
     if layered is None:
         body, deep = InBody(poisson_of(medium, below), friction), np.abs(z)

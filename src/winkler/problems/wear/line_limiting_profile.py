@@ -33,8 +33,8 @@ from winkler.loading.path import OnePositiveLineForce, OnePositiveLineSwing
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.assumptions.declared import WORN
-from winkler.problems.line.layered_strip import StressedOnLayers
-from winkler.problems.line.strip import Stressed, Strip
+from winkler.problems.line.stress import Strip
+from winkler.problems.line.strip import Stressed
 from winkler.problems.wear.line_validity import line_limiting_notes
 from winkler.problems.wear.stuck_core import stuck_core
 from winkler.values.checks.place_checks import finite_places
@@ -233,5 +233,5 @@ class LineLimitingSolution(Stressed):
 
 
 @value
-class LayeredLineLimitingSolution(StressedOnLayers, LineLimitingSolution):
+class LayeredLineLimitingSolution(LineLimitingSolution):
     """The solution of a `LineLimitingProfile` on layers, with stresses in the layers."""
