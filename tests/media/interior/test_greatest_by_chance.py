@@ -265,7 +265,7 @@ def test_below_a_map(turns, mirrored):
     found = greatest_below_map(field)
 
     def stress(x, y, z):
-        return tensor.von_mises_of_tensor(*field.at_places(np.stack([x, y, np.maximum(z, 0.5)], axis=1))[:6])
+        return tensor.von_mises(tensor.Tensor(*field.at_places(np.stack([x, y, np.maximum(z, 0.5)], axis=1))[:6]))
 
     random = np.random.default_rng(10)
     places = random.random((3, 250)) * np.array([*loads[0].shape, 8.0])[:, None]
