@@ -128,7 +128,8 @@ class LineSolution(OfStrip, OfWidth[Q]):
     def peak_pressure(self) -> Q:
         """The maximum pressure [Pa]; infinite at a sharp tip, kink or rim, zero without contact."""
         pairs = zip(np.ravel(self.force_per_length), np.ravel(self.half_width), strict=True)
-        peaks = [peak_pressure(self.problem.bed, float(p), float(a)) for p, a in pairs]
+        bed = self.problem.bed
+        peaks = [peak_pressure(bed, Strip(float(a), rim_load(bed, float(p), float(a)))) for p, a in pairs]
         return shaped(np.array(peaks), np.shape(self.half_width))
 
     def _strip(self, requested: str) -> Strip:

@@ -25,7 +25,7 @@ __all__ = ["OfStrip", "Stressed"]
 
 
 class Stressed:
-    """A solution whose stresses below the surface are known."""
+    """A solution whose pressures, and stresses below the surface, are known."""
 
     problem: Any
 
@@ -37,6 +37,25 @@ class Stressed:
     def _strip(self, requested: str) -> Strip:
         """Return the strip of one load; refuse many."""
         raise NotImplementedError
+
+    def pressure(self, x: ArrayLike) -> Array:
+        """Return the pressure under one load [Pa], zero outside of the contact.
+
+        Parameters
+        ----------
+        x : array_like
+            Places on the surface [m], on either side of the middle.
+
+        Raises
+        ------
+        InvalidInput
+            If the solution has more than one load.
+        """
+        a, edge_load = self._strip("pressure")
+        x = finite_places(f"{type(self).__name__}.pressure", "x", x)
+        if a == 0.0:
+            return np.zeros(x.shape)
+        return np.asarray(self._bed.pressure(x, a, edge_load))
 
     def stresses(self, x: ArrayLike, z: ArrayLike, friction: float = 0.0) -> LineFields:
         """Return the stresses below the surface under one load.
@@ -73,25 +92,6 @@ class Stressed:
 
 class OfStrip(Stressed):
     """The part of a solution that one strip determines."""
-
-    def pressure(self, x: ArrayLike) -> Array:
-        """Return the pressure under one load [Pa], zero outside of the contact.
-
-        Parameters
-        ----------
-        x : array_like
-            Places on the surface [m], on either side of the middle.
-
-        Raises
-        ------
-        InvalidInput
-            If the solution has more than one load.
-        """
-        a, edge_load = self._strip("pressure")
-        x = finite_places(f"{type(self).__name__}.pressure", "x", x)
-        if a == 0.0:
-            return np.zeros(x.shape)
-        return np.asarray(self._bed.pressure(x, a, edge_load))
 
     def separation(self, x: ArrayLike) -> Array:
         """Return the distance of the deformed surfaces under one load [m], zero inside of the contact.

@@ -25,11 +25,11 @@ from winkler.loading.loads import HalfWidth, LineForce, NominalPressure
 from winkler.numerics.types import Array, ArrayLike, PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.half_width import borne_at_most, refuse_unless_strips, under_force
-from winkler.problems.line.peak_pressure import rim_load
+from winkler.problems.line.peak_pressure import peak_pressure, rim_load
 from winkler.problems.line.pressing_load import OfWidth, given_by, pressing
 from winkler.problems.line.stress import Strip
 from winkler.problems.line.strip import Stressed
-from winkler.problems.line_strips.periodic_notes import closing_load, periodic_notes, periodic_peak
+from winkler.problems.line_strips.periodic_notes import closing_load, periodic_notes
 from winkler.problems.one_load import one_of, single
 from winkler.values.checks.number_checks import Positive
 from winkler.values.checks.place_checks import finite_places
@@ -200,29 +200,12 @@ class PeriodicSolution(Stressed, OfWidth[Q]):
     def peak_pressure(self) -> Q:
         """The maximum pressure [Pa]; infinite at a sharp crest or kink, zero without contact."""
         strips = [self._strip_of(float(p), float(a)) for p, a in self._pairs()]
-        return shaped(np.array([periodic_peak(self._bed, strip) for strip in strips]), np.shape(self.half_width))
+        return shaped(np.array([peak_pressure(self._bed, strip) for strip in strips]), np.shape(self.half_width))
 
     @property
     def closure_pressure(self) -> float:
         """Nominal pressure [Pa] at which all is in contact; infinite if the valleys are sharp."""
         return float(self._bed.medium.modulus * closing_load(self._bed) / self.problem.pitch)
-
-    def pressure(self, x: ArrayLike) -> Array:
-        """Return the pressure under one load [Pa], zero outside of the strips.
-
-        Parameters
-        ----------
-        x : array_like
-            Places on the surface [m]; the middle of one strip is x = 0.
-
-        Raises
-        ------
-        InvalidInput
-            If the solution has more than one load.
-        """
-        a, extra = self._strip("pressure")
-        x = finite_places("PeriodicSolution.pressure", "x", x)
-        return self._bed.pressure(x, a, extra) if a > 0.0 else np.zeros(x.shape)
 
     def separation(self, x: ArrayLike) -> Array:
         """Return the distance of the deformed surfaces under one load [m], zero inside of the strips.

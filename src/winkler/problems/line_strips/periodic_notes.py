@@ -10,7 +10,6 @@ import numpy as np
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.periodic import PeriodicBed, in_closed_form
-from winkler.numerics.equations.highest import highest_of_curve
 from winkler.problems.line.greatest_stress import Placed, greatest, von_mises
 from winkler.problems.line.peak_pressure import is_sharp
 from winkler.problems.line.stress import LineContact, Strip, stresses
@@ -22,7 +21,7 @@ from winkler.problems.normal.validity import steepness_note
 from winkler.problems.normal.yield_statement import elastic_note
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["closing_load", "periodic_notes", "periodic_peak"]
+__all__ = ["closing_load", "periodic_notes"]
 
 WESTERGAARD = "H. M. Westergaard, J. Appl. Mech. 6 (1939) A49-A53"
 PRESSURE_SAMPLES, REFINEMENTS = 65, 9
@@ -48,16 +47,6 @@ def closing_load(bed: PeriodicBed) -> float:
         tension = -float(levels[best])
         low, high = places[max(best - 1, 0)], places[min(best + 1, places.size - 1)]
     return float(line.load_profile(np.array([line.rim]))[0] + bed.pitch * tension / bed.medium.modulus)
-
-
-def periodic_peak(bed: PeriodicBed, strip: Strip) -> float:
-    """Return the greatest pressure [Pa]; infinite at a sharp crest or kink, zero without contact."""
-    a, extra = strip
-    if a == 0.0:
-        return 0.0
-    if is_sharp(bed.line, bed.line.rim, 0.0):
-        return np.inf
-    return highest_of_curve(lambda x: bed.pressure(x, a, extra), a)
 
 
 def periodic_notes(bed: PeriodicBed, one: LineFoundation | LayeredLineFoundation, strip: Strip) -> tuple[Note, ...]:

@@ -213,17 +213,6 @@ class LineLimitingSolution(Stressed):
         away = np.abs(finite_places("LineLimitingSolution.height", "x", x))
         return np.asarray(self.problem.bed.profile.height(away) + self.worn(away))
 
-    def pressure(self, x: ArrayLike) -> Array:
-        """Return the pressure in the end [Pa]: zero outside the stick zone, infinite at its edge.
-
-        Parameters
-        ----------
-        x : array_like
-            Places on the surface [m], on either side of the middle.
-        """
-        places = finite_places("LineLimitingSolution.pressure", "x", x)
-        return self.problem.bed.pressure(places, self.stick_half_width, self.excess_load)
-
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
