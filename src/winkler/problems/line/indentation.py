@@ -213,11 +213,12 @@ class LayeredLineSolution(OnLayers[Q], LineSolution[Q]):
     """
 
 
-class OnPowerLaw(OfStrip, PerLoad[Q]):
-    """The part of a solution that a power law determines."""
+@value
+class PowerLawLineSolution(LineSolution[Q]):
+    """The solution of a `LineIndentation` on bodies graded by a power; every quantity has the shape of the load.
 
-    force_per_length: Q
-    half_width: Q
+    Where the modulus grows with the depth it has a `depth`.
+    """
 
     @property
     def depth(self) -> Q:
@@ -248,11 +249,3 @@ class OnPowerLaw(OfStrip, PerLoad[Q]):
         bed: PowerLawLineFoundation = self.problem.bed
         a, edge_load = self._strip("approach")
         return float(bed.depth(np.array(a), np.array(edge_load)))
-
-
-@value
-class PowerLawLineSolution(OnPowerLaw[Q], LineSolution[Q]):
-    """The solution of a `LineIndentation` on bodies graded by a power; every quantity has the shape of the load.
-
-    Where the modulus grows with the depth it has a `depth`.
-    """

@@ -26,6 +26,7 @@ import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.line_bed import LineBed
 from winkler.laws.friction import Overcome
 from winkler.numerics.equations.roots import between
 from winkler.numerics.equations.smallest_ball import smallest_balls
@@ -188,9 +189,7 @@ def _lowered(bed: LineFoundation, share: Share, bound: float) -> float:
     return bed.flat + math.exp(between(excess, low, high, absolute=LOWERED))
 
 
-def _greatest_share(
-    bed: LineFoundation | LayeredLineFoundation, half_width: float, friction: float, refinements: int
-) -> Placed:
+def _greatest_share(bed: LineBed, half_width: float, friction: float, refinements: int) -> Placed:
     """Return the greatest over all parts of the stress that residual stresses leave, over the strength."""
     best = Placed(0.0, 0.0, 0.0)
     for part in strong_parts(bed.medium):
@@ -200,7 +199,7 @@ def _greatest_share(
 
 
 def _left(
-    bed: LineFoundation | LayeredLineFoundation,
+    bed: LineBed,
     half_width: float,
     part: StrongPart,
     friction: float,
@@ -234,9 +233,7 @@ def _left(
     return Placed(float(least.level[top]), float(x[place]), float(z[top] if part.first else -z[top]))
 
 
-def _grid(
-    bed: LineFoundation | LayeredLineFoundation, half_width: float, part: StrongPart, friction: float
-) -> tuple[Array, Array]:
+def _grid(bed: LineBed, half_width: float, part: StrongPart, friction: float) -> tuple[Array, Array]:
     """Return the places and depths [m] of the first grid in a part."""
     a, wide = half_width, math.hypot(half_width, part.top)
     first = part.top if part.top == 0.0 else float(np.nextafter(part.top, math.inf))
@@ -252,7 +249,7 @@ def _grid(
 
 
 def _fields(
-    bed: LineFoundation | LayeredLineFoundation,
+    bed: LineBed,
     half_width: float,
     part: StrongPart,
     friction: float,
