@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import numbers
 
+from winkler.foundation.sheared_fields import BodyFields
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior import tensor
@@ -19,7 +20,7 @@ __all__ = ["EllipticFields", "below_ellipse", "greatest_below_ellipse", "solid_b
 
 
 @value
-class EllipticFields:
+class EllipticFields(BodyFields):
     """Stresses and displacements inside one body under an elliptic contact, in its own axes: z into the body.
 
     Parameters
@@ -38,38 +39,10 @@ class EllipticFields:
         principal_stresses=(r"\sigma_1, \sigma_2, \sigma_3", "Pa", "principal stresses, greatest first"),
     )
 
-    x: Array
-    y: Array
-    z: Array
-    xx_stress: Array
-    yy_stress: Array
-    zz_stress: Array
-    xy_stress: Array
-    xz_stress: Array
-    yz_stress: Array
-    x_displacement: Array
-    y_displacement: Array
-    z_displacement: Array
-
-    @property
-    def _stress(self) -> tensor.Tensor:
-        parts = self.xx_stress, self.yy_stress, self.zz_stress, self.xy_stress, self.xz_stress, self.yz_stress
-        return tensor.Tensor(*parts)
-
-    @property
-    def von_mises(self) -> Array:
-        """Equivalent stress after von Mises [Pa]."""
-        return tensor.von_mises(self._stress)
-
     @property
     def principal_stresses(self) -> Array:
         """Principal stresses [Pa], largest first, along a new last axis of length 3."""
-        return tensor.principal(self._stress)
-
-    @property
-    def max_shear(self) -> Array:
-        """Maximum shear stress [Pa], half the difference of the outermost principal stresses."""
-        return tensor.max_shear(self._stress)
+        return self.principal
 
     @property
     def orthogonal_shear(self) -> Array:
