@@ -15,7 +15,7 @@ from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array
 from winkler.problems.line.greatest_stress import greatest
 from winkler.problems.line.indentation import LineIndentation, LineSolution
-from winkler.problems.line.stress import LineContact, LineFields, stresses
+from winkler.problems.line.stress import LineContact, LineFields, Strip, fields_of, potential_of
 from winkler.problems.line.yield_statement import nearest_to_strength
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.yield_statement import elastic_note
@@ -88,15 +88,12 @@ def rolling_stresses(contact: LineContact, stick_half_width: float, x: Array, z:
 
     The traction is that of sliding less that of the same cylinder in a strip of half-width c about a - c.
     """
-    whole = stresses(contact, x, z)
-    if stick_half_width == 0.0:
-        return whole
-    shifted = np.asarray(x, dtype=float) - (contact.half_width - stick_half_width)
-    inner = contact._replace(half_width=stick_half_width)
-    pressed, dragged = stresses(inner._replace(friction=0.0), shifted, z), stresses(inner, shifted, z)
-    names = ("xx_stress", "yy_stress", "zz_stress", "xz_stress")
-    parts = (getattr(whole, name) - (getattr(dragged, name) - getattr(pressed, name)) for name in names)
-    return LineFields(whole.x, whole.z, *parts)
+    x, z = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(z, dtype=float))
+    pressed = slid = potential_of(contact.bed, Strip(contact.half_width, 0.0), x, z)
+    if stick_half_width > 0.0:
+        shifted = x - (contact.half_width - stick_half_width)
+        slid = slid - potential_of(contact.bed, Strip(stick_half_width, 0.0), shifted, z)
+    return fields_of(x, z, pressed, contact.poisson, contact.friction * slid)
 
 
 @value

@@ -8,7 +8,7 @@ from winkler.numerics.surfaces.strip_elements import linear_potential
 from winkler.numerics.types import Array
 from winkler.problems.line.greatest_stress import Placed
 from winkler.problems.line.indentation import LineSolution
-from winkler.problems.line.stress import LineFields
+from winkler.problems.line.stress import LineFields, fields_of
 from winkler.problems.line.yield_statement import nearest_to_strength
 from winkler.problems.line_rolling.rolled_strip import RolledStrip, creepage_error, loss_error
 from winkler.problems.normal.strong_parts import strong_parts
@@ -44,14 +44,11 @@ def strip_stresses(
     x, z : ndarray
         Places in the axes of the body [m], of one shape, z not negative.
     """
-    drag = modulus if below else -modulus
-    rows = (modulus * strip.pressure, drag * strip.traction)
-    (p, dp), (q, dq) = (linear_potential(strip.x * half_width, row, x.ravel(), z.ravel()) for row in rows)
-    along = p.imag + dp.real - (2.0 * q.real - dq.imag)
-    across = p.imag - dp.real - dq.imag
-    shear = -dp.imag + q.imag + dq.real
-    parts = (along, poisson * (along + across), across, shear)
-    return LineFields(x, z, *(part.reshape(x.shape) for part in parts))
+    side = 1.0 if below else -1.0
+    rows = (modulus * strip.pressure, side * modulus * strip.traction)
+    found = [np.array(linear_potential(strip.x * half_width, row, x.ravel(), z.ravel())) for row in rows]
+    pressed, dragged = (each.reshape(2, *x.shape) for each in found)
+    return fields_of(x, z, pressed, poisson, dragged)
 
 
 def strip_note(strip: RolledStrip, slope: float) -> Note:
