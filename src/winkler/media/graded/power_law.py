@@ -25,7 +25,7 @@ import numpy as np
 from winkler.materials.elastic import RIGID, Rigid
 from winkler.materials.graded import PowerLawGraded
 from winkler.media.graded.profile import transform
-from winkler.media.medium import Displacement, PunchFacts
+from winkler.media.medium import Displacement, PunchFacts, exact_response
 from winkler.media.punch_field import BodyField
 from winkler.numerics.transforms import graded_abel
 from winkler.numerics.transforms.abel_intervals import root_difference
@@ -161,9 +161,7 @@ class GradedHalfSpace:
     def notes(self) -> tuple[Note, ...]:
         """The assumptions."""
         return (
-            Note(
-                Assumption.RESPONSE,
-                Standing.EXACT,
+            *exact_response(
                 "Frictionless contact of half-spaces whose modulus follows a power of the depth with constant "
                 "Poisson's ratio. For one round contact the springs are equal to the three-dimensional solution.",
                 BOOKER,

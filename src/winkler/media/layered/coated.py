@@ -282,6 +282,13 @@ class StackMedium(LayeredMedium):
     notes: ClassVar[tuple[Note, ...]]
     """What is assumed."""
 
+    def __post_init__(self) -> None:
+        if not self.layers:
+            raise InvalidInput(
+                f"{type(self).__name__}: layers must be a list of at least one Layer or StackLayer(solid, thickness); "
+                "for a body without layers give HalfSpace or TransverselyIsotropicHalfSpace."
+            )
+
     @property
     def stack(self) -> tuple[AnyLayer, ...]:
         """The layers, with what they are bonded to."""
@@ -363,13 +370,6 @@ class CoatedHalfSpace(StackMedium):
     on: Solid
     second: Solid = RIGID
 
-    def __post_init__(self) -> None:
-        if not self.layers:
-            raise InvalidInput(
-                "CoatedHalfSpace: layers must be a list of at least one Layer(solid, thickness); for a body without "
-                "layers give HalfSpace."
-            )
-
     notes = exact_response(
         "Frictionless contact of perfectly bonded, isotropic, linear elastic layers. For one round contact k "
         "and g follow exactly from flat punches on the layers.",
@@ -424,13 +424,6 @@ class StackedHalfSpace(StackMedium):
     layers: tuple[StackLayer | Layer, ...]
     on: Elastic | TransverselyIsotropic | Rigid
     second: Elastic | TransverselyIsotropic | Rigid = RIGID
-
-    def __post_init__(self) -> None:
-        if not self.layers:
-            raise InvalidInput(
-                "StackedHalfSpace: layers must be a list of at least one StackLayer(solid, thickness); for a body "
-                "without layers give HalfSpace or TransverselyIsotropicHalfSpace."
-            )
 
     notes = exact_response(
         "Frictionless contact of linear elastic layers, isotropic or transversely isotropic about the "

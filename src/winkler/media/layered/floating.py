@@ -18,11 +18,9 @@ import math
 
 import numpy as np
 
-from winkler.materials.elastic import RIGID
 from winkler.media.layered.across import climbed_across, less_than_one
-from winkler.media.layered.pair_response import Mode, PairResponse
-from winkler.media.layered.stack import StackBody
-from winkler.media.layered.wave_constants import Body, constants_of
+from winkler.media.layered.pair_response import PairResponse
+from winkler.media.layered.wave_constants import constants_of
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values.value import value
 
@@ -32,10 +30,6 @@ __all__ = ["FloatingAcross"]
 @value
 class FloatingAcross(PairResponse):
     """The response to a twist of layers without shear below them; the lowest of the stack slides."""
-
-    mode: Mode
-    first: StackBody
-    second: Body = RIGID
 
     @property
     def span(self) -> float:
