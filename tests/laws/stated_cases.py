@@ -130,7 +130,7 @@ def exported_springs(rng):
     return 1.05 * said_of_law(law), change(found, true, true[-1])
 
 
-@states("RollerSolution.grid_error", "RollerState.grid_error", "problems.rollers.roller_contact")
+@states("RollerNumbers.grid_error", "problems.rollers.roller_contact")
 def roller(rng):
     """Depth, force and pressures of a roller, on layers every second time."""
     logarithmic = wk.LogarithmicEnds(10.0 ** rng.uniform(-4, -3), load_factor=1.5, crowned_share=0.7)

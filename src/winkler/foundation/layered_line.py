@@ -396,7 +396,7 @@ class LayeredLineFoundation(LineBed):
     def hat_compliance(self, count: int, spacing: float, reference: float) -> Array:
         """Return the displacement [m] by a hat of tractions, as of `LineBed.hat_compliance`."""
         response, away = self.medium.along_response, spacing * np.arange(count + 1.0)
-        found = waves(response, int(octaves(response, away[-1:])[0]))
+        found = _felt(response, away[-1])
         evened = np.sinc(found.k * spacing / (2.0 * np.pi)) ** 2  # the transform of a hat, over its area
         near = faded(response, reference) - float(np.sum(found.weights * (1.0 - evened)) + np.sum(found.shares))
         felt = near - wave_sums(risen, away, found.k, found.weights * evened)
@@ -421,14 +421,14 @@ class LayeredLineFoundation(LineBed):
     def drawn(self, x: Array, half_width: float) -> Array:
         """Return how far the pressure moves the first surface beyond the second [m], as of `LineBed.drawn`."""
         response = self.medium.coupling_response
-        found = waves(response, int(octaves(response, np.array([max(half_width, float(np.max(np.abs(x))))]))[0]))
+        found = _felt(response, max(half_width, float(np.max(np.abs(x)))))
         weights = -2.0 / np.pi * found.weights * self.transform(found.k, self.carried(half_width, 0.0))
         return LineBed.drawn(self, x, half_width) + np.sin(np.multiply.outer(x, found.k)) @ weights
 
     def stuck_compliance(self, half_width: float, unit: float) -> float:
         """Return the displacement of a strip that sticks, as of `LineBed.stuck_compliance`."""
         response, one = self.medium.along_response, np.array([half_width])
-        found = waves(response, int(octaves(response, one)[0]))
+        found = _felt(response, half_width)
         punch = strip_responses(response, one, lambda a, k: np.zeros((a.size, k.size)), np.zeros(1)).punch[0]
         rows = bessel_rows(found.k * half_width, punch.size)
         felt = float(((punch * signs(punch.size)) @ rows * rows[0] - 1.0) @ found.weights)
@@ -517,8 +517,7 @@ class LayeredLineFoundation(LineBed):
     def sunk(self, x: Array, carried: Carried) -> Array:
         """Return by how much less the layers below let the surface sink at places x >= a [m] than at the edge."""
         response = self.medium.response
-        extent = np.array([0.5 * (float(np.max(x)) + carried.half_width)])
-        found = waves(response, int(octaves(response, extent)[0]))
+        found = _felt(response, 0.5 * (float(np.max(x)) + carried.half_width))
         weights = 2.0 / np.pi * found.weights * self.transform(found.k, carried)
         at_edge = float(np.cos(found.k * carried.half_width) @ weights)
         return at_edge - wave_sums(np.cos, x, found.k, weights)
@@ -686,6 +685,11 @@ class ZonedLayers(Zone, LayeredLineFoundation):
     def beside(self, half_width: float) -> tuple[Array, Array]:
         """Return half-widths [m] of flat punches beside the strip, and their loads over E* [m]."""
         return self.half_plane.beside(half_width)
+
+
+def _felt(response: WaveResponse, extent: float) -> Waves:
+    """Return the waves that places and half-widths up to an extent [m] feel."""
+    return waves(response, int(octaves(response, np.array([extent]))[0]))
 
 
 def _of_punches(widths: Array, loads: Array, k: Array) -> Array:

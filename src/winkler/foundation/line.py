@@ -190,9 +190,8 @@ class LineFoundation(LineBed):
         if math.isfinite(self._round) and rim_load == 0.0:
             root = np.sqrt(np.maximum((half_width - x) * (half_width + x), 0.0))
             return np.asarray(self.medium.modulus / (2.0 * self._round) * root)
-        part = abel.pressure(
-            lambda c: -self.load_profile_slope(c), self._kinks_to(half_width), rim_load, half_width, np.abs(x)
-        )
+        kinks = tuple((b, strength) for b, strength in self.kinks if b < half_width)
+        part = abel.pressure(lambda c: -self.load_profile_slope(c), kinks, rim_load, half_width, np.abs(x))
         return np.asarray(self.medium.modulus * part)
 
     def mean_pressures(self, edges: Array, half_width: float, rim_load: float) -> Array:
@@ -266,9 +265,6 @@ class LineFoundation(LineBed):
             rim = rim_load / (np.pi * root)
             whole, slope = whole + rim, slope - rim * zeta / root**2
         return self.medium.modulus * whole, self.medium.modulus * slope
-
-    def _kinks_to(self, half_width: float) -> tuple[tuple[float, float], ...]:
-        return tuple((b, strength) for b, strength in self.kinks if b < half_width)
 
 
 @functools.lru_cache(maxsize=16)

@@ -18,8 +18,6 @@ import numpy as np
 from winkler.foundation.bed import Bed
 from winkler.foundation.footprint import DISC, Footprint, UnknownOutline
 from winkler.foundation.force_curve import FEWEST_POINTS, bed_points
-from winkler.media.medium import Displacement
-from winkler.media.punch_field import BodyField
 from winkler.numerics.panels.power_splines import PowerSplines
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, ArrayLike
@@ -56,22 +54,15 @@ class MeasuredMedium:
 
     bed: Bed
 
-    def _unknown(self, what: str) -> OutsideValidity:
-        return OutsideValidity(
-            f"MeasuredBed: the {what} cannot be restored from measured stiffness and depth, since neither the body nor "
-            "the medium is known; give Foundation(profile, medium) for fields."
+    def _unknown(self, *_: Any, **__: Any) -> Any:
+        """Refused."""
+        raise OutsideValidity(
+            "MeasuredBed: gaps of other bodies, pressures, displacements and stresses cannot be restored from measured "
+            "stiffness and depth, since neither the body nor the medium is known; give Foundation(profile, medium) for "
+            "fields."
         )
 
-    def _other_gap(self, *_: Any, **__: Any) -> Any:
-        """Refused."""
-        raise self._unknown("gap of another body")
-
-    def _pressure(self, *_: Any, **__: Any) -> Any:
-        """Refused."""
-        raise self._unknown("pressure")
-
-    gap = gap_slope = gap_load = kinks = _other_gap
-    punch_pressure = punch_facts = pressure = _pressure
+    gap = gap_slope = gap_load = kinks = punch_pressure = punch_facts = pressure = displacement = interior = _unknown
 
     @property
     def notes(self) -> tuple[Note, ...]:
@@ -93,14 +84,6 @@ class MeasuredMedium:
     def tangential_stiffness(self, x: Array) -> Array:
         """c_T(x) [Pa]."""
         return self.bed.tangential_stiffness(x)
-
-    def displacement(self, displacement: Displacement, r: Array) -> Array:
-        """Refused."""
-        raise self._unknown("displacement of the surface")
-
-    def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
-        """Refused."""
-        raise self._unknown("stress below the surface")
 
 
 @value

@@ -34,6 +34,7 @@ from winkler.numerics.transforms import graded_abel
 from winkler.numerics.transforms.graded_pressure import pressure as graded_pressure
 from winkler.numerics.transforms.strips.strip_transforms import StripTransforms
 from winkler.numerics.types import Array
+from winkler.profiles.conical import power_of
 from winkler.profiles.power import Paraboloid, PowerLaw
 from winkler.profiles.profile import Profile
 from winkler.values.checks.number_checks import Advice
@@ -204,15 +205,8 @@ class PowerLawLineFoundation(LineBed):
     def _raised(self, a: Array, rate: bool) -> Array:
         """Return the integral of x f' (a^2 - x^2)^((k-1)/2) over a^(k-1), or its derivative by a: a g of slope x f'."""
         profile, k = self.profile, self.exponent
-        if isinstance(profile, Paraboloid | PowerLaw):
-            c, n = (
-                (0.5 / profile.curvature_radius, 2.0)
-                if isinstance(profile, Paraboloid)
-                else (
-                    profile.coefficient,
-                    profile.exponent,
-                )
-            )
+        c, n = power_of(profile)
+        if n:
             power = transform(PowerLaw(c * n / (n + 1.0), n + 1.0), k)
             return power.gap_slope(a) if rate else power.gap(a)
         if not rate:

@@ -10,8 +10,7 @@ from winkler.foundation.bed import PressedSprings
 from winkler.foundation.sheared import ShearedSprings
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
-from winkler.media.interior import shear_field
-from winkler.media.interior.tensor import principal_of_tensor, von_mises_of_tensor
+from winkler.media.interior import shear_field, tensor
 from winkler.media.medium import Displacement, rigid_body
 from winkler.numerics.types import Array
 from winkler.values.errors import OutsideValidity
@@ -82,24 +81,24 @@ class BodyFields:
     z_displacement: Array
 
     @property
-    def _stresses(self) -> tuple[Array, Array, Array, Array, Array, Array]:
-        return self.xx_stress, self.yy_stress, self.zz_stress, self.xy_stress, self.xz_stress, self.yz_stress
+    def _stress(self) -> tensor.Tensor:
+        parts = self.xx_stress, self.yy_stress, self.zz_stress, self.xy_stress, self.xz_stress, self.yz_stress
+        return tensor.Tensor(*parts)
 
     @property
     def von_mises(self) -> Array:
         """Equivalent stress after von Mises [Pa]."""
-        return von_mises_of_tensor(*self._stresses)
+        return tensor.von_mises(self._stress)
 
     @property
     def principal(self) -> Array:
         """Principal stresses [Pa], largest first, along a last axis of length 3; nan where they are infinite."""
-        return principal_of_tensor(*self._stresses)
+        return tensor.principal(self._stress)
 
     @property
     def max_shear(self) -> Array:
         """Maximum shear stress [Pa], half the spread of the principal stresses; nan where they are infinite."""
-        stresses = self.principal
-        return np.asarray(0.5 * (stresses[..., 0] - stresses[..., 2]))
+        return tensor.max_shear(self._stress)
 
 
 def sheared_surface(sheared: ShearedSprings, r: Array) -> ShearedFields:

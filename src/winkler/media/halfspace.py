@@ -16,14 +16,14 @@ import numpy as np
 
 from winkler.materials.elastic import RIGID, Elastic, Rigid, Solid
 from winkler.media.interior import subsurface
-from winkler.media.medium import Displacement, PunchFacts, rigid_body
+from winkler.media.medium import Displacement, PunchFacts, exact_response, rigid_body
 from winkler.media.punch_field import BodyField
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.values.checks.contract import offered
 from winkler.values.errors import InvalidInput, OutsideValidity
-from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.validity import Note
 from winkler.values.value import value
 
 __all__ = ["HalfSpace", "HomogeneousMedium"]
@@ -215,14 +215,10 @@ class HalfSpace(HomogeneousMedium):
         )
         return self.modulus * 0.25 * (first - second)
 
-    notes = (
-        Note(
-            Assumption.RESPONSE,
-            Standing.EXACT,
-            "Homogeneous, isotropic, linear elastic half-spaces. For one round contact the springs give the "
-            "exact normal force, depth and pressure of the three-dimensional solution.",
-            GALIN,
-        ),
+    notes = exact_response(
+        "Homogeneous, isotropic, linear elastic half-spaces. For one round contact the springs give the "
+        "exact normal force, depth and pressure of the three-dimensional solution.",
+        GALIN,
     )
     """What is assumed of the half-spaces."""
 

@@ -9,9 +9,9 @@ from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.values.checks.contract import offered
 from winkler.values.errors import OutsideValidity
-from winkler.values.validity import Note
+from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["LEAST_SURFACE_RISE", "Displacement", "Medium", "PunchFacts", "rigid_body"]
+__all__ = ["LEAST_SURFACE_RISE", "Displacement", "Medium", "PunchFacts", "exact_response", "rigid_body"]
 
 
 class PunchFacts(NamedTuple):
@@ -40,6 +40,11 @@ def rigid_body(below: bool) -> OutsideValidity:
     """Return the refusal of a field inside a rigid body: the first one (`below`), or the second."""
     side = "first body (z > 0)" if below else "second body (z < 0)"
     return OutsideValidity(f"The {side} is rigid; there is no stress field in it: request the other side.")
+
+
+def exact_response(text: str, source: str) -> tuple[Note, ...]:
+    """Return what an exact medium assumes: one note on how its bodies respond."""
+    return (Note(Assumption.RESPONSE, Standing.EXACT, text, source),)
 
 
 class Displacement(Protocol):

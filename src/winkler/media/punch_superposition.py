@@ -49,15 +49,9 @@ class LoadPanel(NamedTuple):
     series: Array
 
     def weight(self, y: Array) -> Array:
-        """H(y) [-] by Clenshaw's recurrence."""
-        if self.series.size == 1:
-            return np.full(y.shape, self.series[0])
-        s: Array = np.clip((2.0 * y - (self.lower + self.upper)) / (self.upper - self.lower), -1.0, 1.0)
-        twice = 2.0 * s
-        last, before = np.full(y.shape, self.series[-1]), np.zeros(y.shape)
-        for coefficient in self.series[-2:0:-1]:
-            last, before = coefficient + twice * last - before, last
-        return np.asarray(self.series[0] + s * last - before)
+        """H(y) [-]."""
+        s = np.clip((2.0 * y - (self.lower + self.upper)) / (self.upper - self.lower), -1.0, 1.0)
+        return np.asarray(np.polynomial.chebyshev.chebval(s, self.series))
 
 
 class PunchCluster(NamedTuple):

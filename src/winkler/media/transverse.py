@@ -10,11 +10,10 @@ from __future__ import annotations
 from winkler.materials.elastic import RIGID
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.layered.wave_constants import Body
-from winkler.media.medium import Displacement
+from winkler.media.medium import Displacement, exact_response
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
 from winkler.values.errors import OutsideValidity
-from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
 
 __all__ = ["TransverselyIsotropicHalfSpace"]
@@ -59,13 +58,9 @@ class TransverselyIsotropicHalfSpace(HomogeneousMedium):
             "(without z), or use HalfSpace."
         )
 
-    notes = (
-        Note(
-            Assumption.RESPONSE,
-            Standing.EXACT,
-            "Frictionless contact of homogeneous half-spaces, transversely isotropic about the surface normal. "
-            "Pressure and depth follow from the isotropic solution with the effective modulus.",
-            "H. A. Elliott, Proc. Camb. Phil. Soc. 45 (1949) 621, doi:10.1017/S0305004100025305",
-        ),
+    notes = exact_response(
+        "Frictionless contact of homogeneous half-spaces, transversely isotropic about the surface normal. "
+        "Pressure and depth follow from the isotropic solution with the effective modulus.",
+        "H. A. Elliott, Proc. Camb. Phil. Soc. 45 (1949) 621, doi:10.1017/S0305004100025305",
     )
     """The assumptions."""

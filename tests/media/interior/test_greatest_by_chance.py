@@ -22,7 +22,7 @@ from winkler.numerics.equations.highest import highest, highest_of_curve
 from winkler.problems.friction.sheared_springs import sheared_by_pieces
 from winkler.problems.line.greatest_stress import in_strip
 from winkler.problems.line.layered_stress import greatest_in_part
-from winkler.problems.line.strip import Strip
+from winkler.problems.line.stress import Strip
 from winkler.problems.line_strips.profile_notes import _greatest as greatest_below_strips
 from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
 from winkler.problems.normal.greatest_stress import greatest_stress
@@ -265,7 +265,7 @@ def test_below_a_map(turns, mirrored):
     found = greatest_below_map(field)
 
     def stress(x, y, z):
-        return tensor.von_mises_of_tensor(*field.at_places(np.stack([x, y, np.maximum(z, 0.5)], axis=1))[:6])
+        return tensor.von_mises(tensor.Tensor(*field.at_places(np.stack([x, y, np.maximum(z, 0.5)], axis=1))[:6]))
 
     random = np.random.default_rng(10)
     places = random.random((3, 250)) * np.array([*loads[0].shape, 8.0])[:, None]

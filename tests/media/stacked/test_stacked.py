@@ -200,7 +200,7 @@ def test_what_is_not_known_is_refused_by_name():
         slides.punch_shear_stiffness(np.array([1.0]))
     with pytest.raises(OutsideValidity, match="layer 2 slides"):
         slides.tangential_stiffness(np.array([1.0]))
-    with pytest.raises(InvalidInput, match="list of at least one StackLayer"):
+    with pytest.raises(InvalidInput, match="list of at least one Layer or StackLayer"):
         wk.StackedHalfSpace([], on=GLASS)
     pressed = wk.Indentation(wk.Foundation(wk.Paraboloid(1.0), slides), wk.Radius(0.5)).solve()
     with pytest.raises(OutsideValidity, match=r"lies in a transversely isotropic uppermost layer"):

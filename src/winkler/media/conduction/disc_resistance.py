@@ -48,6 +48,22 @@ BARBER = (
     "(2003) 53-66, doi:10.1098/rspa.2002.1038"
 )
 OWN_SOLUTION = "own solution of the integral equation along the line of springs"
+PLATED = (
+    "The platings are layers bonded without resistance. Between different platings the voltage (or temperature) varies "
+    "across the spot. The stated value is the mean weighted with the current (or heat flux)."
+)
+RODS_ALIKE = "The sides of both rods are insulated, and the contact is a disc of uniform voltage"
+RODS = (
+    "Each body is computed with a uniform voltage over the contact. If the voltages differ, the sum is too low by less "
+    "than 8 % of the constriction resistance; for narrow contacts the error vanishes"
+)
+FILM_ADDED = (
+    "The resistance of the film is added to the constriction resistance of a clean contact. The film also spreads the "
+    "current, which adds up to 8 % of the constriction resistance."
+)
+SPREAD_BY_FILM = (
+    "The constriction resistance includes the spreading of the current by the film: up to 8.1 % more than Holm's value."
+)
 
 NODES = 16
 """On each panel of the line on which the shares of both bodies are found."""
@@ -271,60 +287,16 @@ def _bare(first: ConductingBody, second: ConductingBody) -> bool:
 def conduction_notes(first: ConductingBody, second: ConductingBody, area_resistance: float) -> tuple[Note, ...]:
     """Return what must be stated about the bodies and the film."""
     rods = [isinstance(body, Rod) for body in (first, second)]
-    plated = [isinstance(body, Plated) for body in (first, second)]
-    notes = []
+    said: list[tuple[Standing, str, str]] = []
     if not any(rods):
-        notes.append(
-            Note(
-                Assumption.CONDUCTION,
-                Standing.EXACT,
-                "Steady conduction through one round contact; nothing passes outside it.",
-                HOLM,
-            )
-        )
-    if any(plated):
-        notes.append(
-            Note(
-                Assumption.CONDUCTION,
-                Standing.EXACT,
-                "The platings are layers bonded without resistance. Between different platings the voltage (or "
-                "temperature) varies across the spot. The stated value is the mean weighted with the current (or "
-                "heat flux).",
-                OWN_SOLUTION,
-            )
-        )
+        said.append((Standing.EXACT, "Steady conduction through one round contact; nothing passes outside it.", HOLM))
+    if any(isinstance(body, Plated) for body in (first, second)):
+        said.append((Standing.EXACT, PLATED, OWN_SOLUTION))
     if any(rods):
         alike = all(rods) and first == second
-        notes.append(
-            Note(
-                Assumption.CONDUCTION,
-                Standing.EXACT if alike else Standing.ASYMPTOTIC,
-                "The sides of both rods are insulated, and the contact is a disc of uniform voltage"
-                if alike
-                else "Each body is computed with a uniform voltage over the contact. If the voltages differ, the "
-                "sum is too low by less than 8 % of the constriction resistance; for narrow contacts the "
-                "error vanishes",
-                OWN_SOLUTION,
-            )
-        )
-    if area_resistance and not _bare(first, second):
-        notes.append(
-            Note(
-                Assumption.CONDUCTION,
-                Standing.APPROXIMATE,
-                "The resistance of the film is added to the constriction resistance of a clean contact. The film "
-                "also spreads the current, which adds up to 8 % of the constriction resistance.",
-                OWN_SOLUTION,
-            )
-        )
-    elif area_resistance:
-        notes.append(
-            Note(
-                Assumption.CONDUCTION,
-                Standing.EXACT,
-                "The constriction resistance includes the spreading of the current by the film: up to 8.1 % "
-                "more than Holm's value.",
-                OWN_SOLUTION,
-            )
-        )
-    return tuple(notes)
+        said.append((Standing.EXACT, RODS_ALIKE, OWN_SOLUTION) if alike else (Standing.ASYMPTOTIC, RODS, OWN_SOLUTION))
+    if area_resistance:
+        bare = _bare(first, second)
+        standing, text = (Standing.EXACT, SPREAD_BY_FILM) if bare else (Standing.APPROXIMATE, FILM_ADDED)
+        said.append((standing, text, OWN_SOLUTION))
+    return tuple(Note(Assumption.CONDUCTION, *each) for each in said)

@@ -25,7 +25,7 @@ import numpy as np
 from winkler.materials.elastic import RIGID, Rigid
 from winkler.materials.graded import PowerLawGraded
 from winkler.media.graded.profile import transform
-from winkler.media.medium import Displacement, PunchFacts
+from winkler.media.medium import Displacement, PunchFacts, exact_response
 from winkler.media.punch_field import BodyField
 from winkler.numerics.transforms import graded_abel
 from winkler.numerics.transforms.abel_intervals import root_difference
@@ -106,48 +106,42 @@ class GradedHalfSpace:
         """Return E_0 [Pa] of a body at the common depth scale; exact for equal exponents."""
         return float(body.young * (self.depth_scale / body.depth_scale) ** self.exponent)
 
+    def _normal(self, body: PowerLawGraded) -> float:
+        """Return (1 - nu^2) / (h_N E_0) of a body [1/Pa]."""
+        factor = normal_factor(self.exponent, body.poisson)
+        return (1.0 - body.poisson) * (1.0 + body.poisson) / (factor * self._young(body))
+
+    def _along(self, body: PowerLawGraded) -> float:
+        """Return (1 + k)^2 (1 - nu^2) / (beta^2 h_N E_0) of a body [1/Pa]."""
+        return (1.0 + self.exponent) ** 2 * self._normal(body) / root_squared(self.exponent, body.poisson)
+
+    def _across(self, body: PowerLawGraded) -> float:
+        """Return (1 + nu) / (E_0 cos(k pi/2)) of a body [1/Pa]."""
+        return (1.0 + body.poisson) / (_cosine(self.exponent) * self._young(body))
+
+    def _refuse_gibson(self) -> None:
+        if self.exponent == 1.0:
+            raise OutsideValidity(
+                "GradedHalfSpace: Gibson's solid (exponent 1) has no tangential stiffness at all and does not resist a "
+                "twist, its surface has no modulus; give an exponent below 1 for tangential problems and for torsion."
+            )
+
     @functools.cached_property
     def modulus(self) -> float:
         """E* [Pa], 1/E* = sum of (1 - nu^2) / (h_N E_0)."""
-        k = self.exponent
-        return 1.0 / math.fsum(
-            (1.0 - body.poisson) * (1.0 + body.poisson) / (normal_factor(k, body.poisson) * self._young(body))
-            for body in self._graded
-        )
+        return 1.0 / math.fsum(map(self._normal, self._graded))
 
     @functools.cached_property
     def shear_modulus(self) -> float:
         """G* [Pa], 1/G* = sum of [(1+k)^2 (1-nu^2) / (beta^2 h_N E_0) + (1+nu) / (E_0 cos(k pi/2))] / 2."""
-        k = self.exponent
-        if k == 1.0:
-            raise OutsideValidity(
-                "GradedHalfSpace: Gibson's solid (exponent 1) has no tangential stiffness at all, its surface has no "
-                "modulus; give an exponent below 1 for tangential problems."
-            )
-        return 2.0 / math.fsum(
-            (
-                (1.0 + k) ** 2
-                * (1.0 - body.poisson)
-                * (1.0 + body.poisson)
-                / (root_squared(k, body.poisson) * normal_factor(k, body.poisson))
-                + (1.0 + body.poisson) / _cosine(k)
-            )
-            / self._young(body)
-            for body in self._graded
-        )
+        self._refuse_gibson()
+        return 2.0 / math.fsum(part(body) for body in self._graded for part in (self._along, self._across))
 
     @functools.cached_property
     def along_modulus(self) -> float:
         """m_L [Pa] of a shear along its wave, as under a line: 1/m_L = sum of (1+k)^2 (1-nu^2) / (beta^2 h_N E_0)."""
-        k = self.exponent
-        _ = self.shear_modulus  # Gibson's solid is refused
-        return 1.0 / math.fsum(
-            (1.0 + k) ** 2
-            * (1.0 - body.poisson)
-            * (1.0 + body.poisson)
-            / (root_squared(k, body.poisson) * normal_factor(k, body.poisson) * self._young(body))
-            for body in self._graded
-        )
+        self._refuse_gibson()
+        return 1.0 / math.fsum(map(self._along, self._graded))
 
     @property
     def mismatch(self) -> float:
@@ -160,23 +154,14 @@ class GradedHalfSpace:
         """G_t [Pa], 1/G_t = sum of 2 (1+nu) (1+k)^2 / (E_0 cos(k pi/2)). The torsional spring stiffness is 8 G_t
         (x/c_0)^k x.
         """
-        k = self.exponent
-        if k == 1.0:
-            raise OutsideValidity(
-                "GradedHalfSpace: Gibson's solid (exponent 1) does not resist a twist of its surface, which has no "
-                "modulus; give an exponent below 1 for torsion."
-            )
-        return _cosine(k) / math.fsum(
-            2.0 * (1.0 + body.poisson) * (1.0 + k) ** 2 / self._young(body) for body in self._graded
-        )
+        self._refuse_gibson()
+        return 0.5 / ((1.0 + self.exponent) ** 2 * math.fsum(map(self._across, self._graded)))
 
     @property
     def notes(self) -> tuple[Note, ...]:
         """The assumptions."""
         return (
-            Note(
-                Assumption.RESPONSE,
-                Standing.EXACT,
+            *exact_response(
                 "Frictionless contact of half-spaces whose modulus follows a power of the depth with constant "
                 "Poisson's ratio. For one round contact the springs are equal to the three-dimensional solution.",
                 BOOKER,
@@ -186,10 +171,7 @@ class GradedHalfSpace:
                 Standing.ASYMPTOTIC,
                 "According to the power law the modulus at the surface itself is "
                 + ("zero" if self.exponent > 0.0 else "infinite" if self.exponent < 0.0 else "that of the bulk")
-                + (
-                    ". A real graded body follows the law over a range of depths, which must contain the contact "
-                    "radius."
-                ),
+                + ". A real graded body follows the law over a range of depths, which must contain the contact radius.",
                 "A. E. Giannakopoulos, S. Suresh, Int. J. Solids Struct. 34 (1997) 2357-2392",
             ),
         )

@@ -22,9 +22,8 @@ __all__ = [
     "max_shear",
     "measure_named",
     "orthogonal_shear",
-    "principal_of_tensor",
+    "principal",
     "von_mises",
-    "von_mises_of_tensor",
 ]
 
 
@@ -44,14 +43,26 @@ Measure = Callable[[Tensor], Array]
 
 
 def von_mises(stress: Tensor) -> Array:
-    """Return the equivalent stress after von Mises."""
-    return von_mises_of_tensor(*stress)
+    """Return the equivalent stress after von Mises; infinite where a component is not finite."""
+    finite = np.isfinite(sum(stress[1:], stress[0]))
+    xx, yy, zz, xy, xz, yz = (np.where(finite, part, 0.0) for part in stress)
+    squares = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
+    return np.where(finite, np.sqrt(0.5 * squares + 3.0 * (xy**2 + xz**2 + yz**2)), np.inf)
+
+
+def principal(stress: Tensor) -> Array:
+    """Return the principal stresses, greatest first, along a new last axis of length 3; nan where infinite."""
+    finite = np.isfinite(sum(stress[1:], stress[0]))
+    xx, yy, zz, xy, xz, yz = (np.where(finite, part, 0.0) for part in stress)
+    tensor = np.stack(np.broadcast_arrays(xx, xy, xz, xy, yy, yz, xz, yz, zz), axis=-1)
+    stresses = np.linalg.eigvalsh(tensor.reshape(*tensor.shape[:-1], 3, 3))[..., ::-1]
+    return np.where(finite[..., None], stresses, np.nan)
 
 
 def max_shear(stress: Tensor) -> Array:
     """Return the greatest shear stress, half the difference of the outermost principal stresses."""
-    principal = principal_of_tensor(*stress)
-    return np.asarray(0.5 * (principal[..., 0] - principal[..., 2]))
+    stresses = principal(stress)
+    return np.asarray(0.5 * (stresses[..., 0] - stresses[..., 2]))
 
 
 def orthogonal_shear(stress: Tensor) -> Array:
@@ -79,20 +90,3 @@ def measure_named(name: object, owner: str) -> Measure:
     if not isinstance(name, str) or name not in MEASURES:
         raise InvalidInput(f"{owner}: there is no stress {name!r}; give one of {', '.join(MEASURES)}.")
     return MEASURES[name]
-
-
-def von_mises_of_tensor(xx: Array, yy: Array, zz: Array, xy: Array, xz: Array, yz: Array) -> Array:
-    """Return the equivalent stress after von Mises [Pa], all arguments [Pa] and of one shape."""
-    finite = np.isfinite(xx + yy + zz + xy + xz + yz)
-    xx, yy, zz, xy, xz, yz = (np.where(finite, part, 0.0) for part in (xx, yy, zz, xy, xz, yz))
-    squares = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
-    return np.where(finite, np.sqrt(0.5 * squares + 3.0 * (xy**2 + xz**2 + yz**2)), np.inf)
-
-
-def principal_of_tensor(xx: Array, yy: Array, zz: Array, xy: Array, xz: Array, yz: Array) -> Array:
-    """Return the principal stresses [Pa], greatest first, along a new last axis of length 3; nan where infinite."""
-    finite = np.isfinite(xx + yy + zz + xy + xz + yz)
-    parts = [np.where(finite, part, 0.0) for part in (xx, xy, xz, xy, yy, yz, xz, yz, zz)]
-    tensor = np.stack(np.broadcast_arrays(*parts), axis=-1)
-    stresses = np.linalg.eigvalsh(tensor.reshape(*tensor.shape[:-1], 3, 3))[..., ::-1]
-    return np.where(finite[..., None], stresses, np.nan)

@@ -22,7 +22,10 @@ from winkler.media.layered.faces import LEAST_WAVE
 from winkler.media.layered.wave_constants import Body, constants_of
 from winkler.numerics.types import Array, ComplexArray
 
-__all__ = ["AcrossState", "across_above", "across_added", "across_inside", "climbed_across"]
+__all__ = ["AcrossState", "across_above", "across_added", "across_inside", "climbed_across", "less_than_one"]
+
+SMALL = 0.05
+"""Wave number times thickness below which 1 - tanh(x)/x is summed as a series."""
 
 
 class AcrossState(NamedTuple):
@@ -95,3 +98,11 @@ def across_added(own: Array, x: Array, start: Array) -> AcrossState:
 def _whole(own: Array, x: Array) -> Array:
     """Return 2 (cosh x + own sinh x) exp(-x)."""
     return np.asarray(1.0 + np.exp(-2.0 * x) - own * np.expm1(-2.0 * x))
+
+
+def less_than_one(x: ComplexArray) -> ComplexArray:
+    """Return 1 - tanh(x)/x, by a series of small x."""
+    square, small = x * x, np.abs(x) < SMALL
+    series = square * (1 / 3 - square * (2 / 15 - square * (17 / 315 - square * (62 / 2835 - square * 1382 / 155925))))
+    safe = np.where(small, 1.0, x)
+    return np.where(small, series, 1.0 - np.tanh(safe) / safe)

@@ -44,7 +44,7 @@ from winkler.media.layered.floating import FloatingAcross
 from winkler.media.layered.pair_response import Mode, PairResponse
 from winkler.media.layered.stack import StackBody
 from winkler.media.layered.wave_constants import Body
-from winkler.media.medium import Displacement, PunchFacts, rigid_body
+from winkler.media.medium import Displacement, PunchFacts, exact_response, rigid_body
 from winkler.media.punch_field import BodyField
 from winkler.numerics.transforms import abel, fredholm
 from winkler.numerics.transforms.cosine_transform import SurfaceResponse, WaveResponse
@@ -52,7 +52,7 @@ from winkler.numerics.transforms.odd_response import OddResponse
 from winkler.numerics.types import Array, Curve
 from winkler.profiles.profile import Profile
 from winkler.values.errors import InvalidInput, OutsideValidity
-from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.validity import Note
 from winkler.values.value import value
 
 if TYPE_CHECKING:
@@ -282,6 +282,13 @@ class StackMedium(LayeredMedium):
     notes: ClassVar[tuple[Note, ...]]
     """What is assumed."""
 
+    def __post_init__(self) -> None:
+        if not self.layers:
+            raise InvalidInput(
+                f"{type(self).__name__}: layers must be a list of at least one Layer or StackLayer(solid, thickness); "
+                "for a body without layers give HalfSpace or TransverselyIsotropicHalfSpace."
+            )
+
     @property
     def stack(self) -> tuple[AnyLayer, ...]:
         """The layers, with what they are bonded to."""
@@ -363,21 +370,10 @@ class CoatedHalfSpace(StackMedium):
     on: Solid
     second: Solid = RIGID
 
-    def __post_init__(self) -> None:
-        if not self.layers:
-            raise InvalidInput(
-                "CoatedHalfSpace: layers must be a list of at least one Layer(solid, thickness); for a body without "
-                "layers give HalfSpace."
-            )
-
-    notes = (
-        Note(
-            Assumption.RESPONSE,
-            Standing.EXACT,
-            "Frictionless contact of perfectly bonded, isotropic, linear elastic layers. For one round contact k "
-            "and g follow exactly from flat punches on the layers.",
-            BARBER,
-        ),
+    notes = exact_response(
+        "Frictionless contact of perfectly bonded, isotropic, linear elastic layers. For one round contact k "
+        "and g follow exactly from flat punches on the layers.",
+        BARBER,
     )
     """What is assumed."""
 
@@ -429,22 +425,11 @@ class StackedHalfSpace(StackMedium):
     on: Elastic | TransverselyIsotropic | Rigid
     second: Elastic | TransverselyIsotropic | Rigid = RIGID
 
-    def __post_init__(self) -> None:
-        if not self.layers:
-            raise InvalidInput(
-                "StackedHalfSpace: layers must be a list of at least one StackLayer(solid, thickness); for a body "
-                "without layers give HalfSpace or TransverselyIsotropicHalfSpace."
-            )
-
-    notes = (
-        Note(
-            Assumption.RESPONSE,
-            Standing.EXACT,
-            "Frictionless contact of linear elastic layers, isotropic or transversely isotropic about the "
-            "surface normal. Each layer is bonded to the material below, or slides on it without friction or "
-            "gap. For one round contact k and g follow exactly from flat punches on the layers.",
-            BARBER,
-        ),
+    notes = exact_response(
+        "Frictionless contact of linear elastic layers, isotropic or transversely isotropic about the "
+        "surface normal. Each layer is bonded to the material below, or slides on it without friction or "
+        "gap. For one round contact k and g follow exactly from flat punches on the layers.",
+        BARBER,
     )
     """What is assumed."""
 
@@ -508,13 +493,9 @@ class SlidingFilm(StackMedium):
         """The layer, which slides on its base."""
         return tuple(StackLayer(layer.solid, layer.thickness, bonded=False) for layer in self.layers)
 
-    notes = (
-        Note(
-            Assumption.RESPONSE,
-            Standing.EXACT,
-            "Frictionless contact of an isotropic, linear elastic layer that slides on its base without friction "
-            "and does not lift off. For one round contact k and g follow exactly from flat punches on the layer.",
-            BARBER,
-        ),
+    notes = exact_response(
+        "Frictionless contact of an isotropic, linear elastic layer that slides on its base without friction "
+        "and does not lift off. For one round contact k and g follow exactly from flat punches on the layer.",
+        BARBER,
     )
     """What is assumed."""

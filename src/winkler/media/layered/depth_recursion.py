@@ -24,6 +24,7 @@ import numpy as np
 
 from winkler.materials.depth_grading import DepthGrading
 from winkler.media.layered.across import across_above
+from winkler.media.layered.blocks import times
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values.errors import NotConverged
@@ -105,7 +106,7 @@ def mesh(grading: DepthGrading, tolerance: float, shortest: float, depths: tuple
     xi = np.geomspace(1e-3 / reach, 1.0 / shortest, SAMPLED_WAVES)
     while True:
         cells = _cells(grading, _edges(grading, reach, part, shortest, depths), reach)
-        ladders = _through_cells(cells, xi, SURFACE_DECAY, False)[0][2]
+        ladders = _through_cells(cells, xi, SURFACE_DECAY)[0][2]
         error = float(np.max(np.abs((LOWER_WEIGHTS @ ladders) / (EXTRAPOLATION_WEIGHTS @ ladders) - 1.0)))
         if error <= tolerance:
             return cells
@@ -174,35 +175,49 @@ def _step(y: ComplexArray, x: ComplexArray, shear: Array, poisson: Array) -> tup
     return upper / twice, decay
 
 
+def _started_across(shear: float, _: float) -> Array:
+    """Return the same of waves across ``(1, 1, 1)``."""
+    return np.array([[[1.0 / shear]]])
+
+
+def _step_across(y: ComplexArray, fall: ComplexArray, shear: Array, _: Array) -> tuple[ComplexArray, ComplexArray]:
+    """Return Y across at the upper face of layers, by tanh(x); no tractions below are asked for."""
+    return across_above(y, shear, fall), fall
+
+
 def _through_cells(
-    cells: Mesh, xi: ComplexArray, decay_limit: float, keep: bool
+    cells: Mesh, xi: ComplexArray, decay_limit: float, *, keep: bool = False, across: bool = False
 ) -> tuple[ComplexArray, list[ComplexArray]]:
-    """Return Y at the surface, by every ladder ``(3, 4, m)``; if requested, Y and decay of every cell ``(7, 4, m)``."""
+    """Return Y at the surface, by every ladder ``(3, 4, m)``; if requested, Y and decay of every cell ``(7, 4, m)``.
+
+    Y across the wave is one number ``(1, 4, m)``.
+    """
+    start, crossed = (_started_across, _step_across) if across else (_started, _step)
     real = np.real(xi)
     order = np.argsort(real)
     xi, real = xi[order], real[order]
-    y = np.zeros((3, 4, xi.size), dtype=xi.dtype) + _started(cells.deep_shear, cells.deep_poisson)
+    first = start(cells.deep_shear, cells.deep_poisson)
+    y = np.zeros((len(first), 4, xi.size), dtype=xi.dtype) + first
     stored: list[ComplexArray] = []
     back = np.argsort(order)
     for cell in range(cells.edges.size - 2, -1, -1):
         top, bottom = cells.edges[cell], cells.edges[cell + 1]
         end = int(np.searchsorted(real, decay_limit / bottom))
         shear, poisson = cells.shear[cell, :, :, None], cells.poisson[cell, :, :, None]
-        y[:, :, end:] = _started(float(shear[0, 0, 0]), float(poisson[0, 0, 0]))
+        y[:, :, end:] = start(float(shear[0, 0, 0]), float(poisson[0, 0, 0]))
         x = (bottom - top) * xi[:end] / STEP_DIVISIONS[:, None]
+        x = np.tanh(x) if across else x
         decay: ComplexArray | None = None
         for step in range(4):
             rows = slice(step, None)
-            y[:, rows, :end], fall = _step(y[:, rows, :end], x[rows], shear[rows, step], poisson[rows, step])
+            y[:, rows, :end], fall = crossed(y[:, rows, :end], x[rows], shear[rows, step], poisson[rows, step])
             if not keep:
                 continue
             if decay is None:
                 decay = np.zeros((4, 4, xi.size), dtype=xi.dtype)
                 decay[:, :, :end] = fall
             else:
-                a, b, c, d = decay[:, rows, :end]
-                e, f, g, h = fall
-                decay[:, rows, :end] = a * e + b * g, a * f + b * h, c * e + d * g, c * f + d * h
+                decay[:, rows, :end] = times(tuple(decay[:, rows, :end]), tuple(fall))  # type: ignore[arg-type]
         if decay is not None:
             stored.append(np.concatenate([y, decay])[:, :, back])
     return y[:, :, back], stored[::-1]
@@ -223,30 +238,18 @@ def surface_compliance(cells: Mesh, xi: ComplexArray) -> ComplexArray:
     ndarray, (3, m)
         Entries along, mixed and normal of ``displacements = Y tractions / xi`` [1/Pa].
     """
-    return np.asarray(np.einsum("c,kcm->km", EXTRAPOLATION_WEIGHTS, _through_cells(cells, xi, SURFACE_DECAY, False)[0]))
+    return np.asarray(np.einsum("c,kcm->km", EXTRAPOLATION_WEIGHTS, _through_cells(cells, xi, SURFACE_DECAY)[0]))
 
 
 def surface_compliance_across(cells: Mesh, xi: ComplexArray) -> ComplexArray:
     """Return the same for displacements and tractions across the wave, in the plane of the surface ``(m,)``."""
-    real = np.real(xi)
-    order = np.argsort(real)
-    xi, real = xi[order], real[order]
-    y = np.zeros((4, xi.size), dtype=xi.dtype) + 1.0 / cells.deep_shear
-    for cell in range(cells.edges.size - 2, -1, -1):
-        top, bottom = cells.edges[cell], cells.edges[cell + 1]
-        end = int(np.searchsorted(real, SURFACE_DECAY / bottom))
-        shear = cells.shear[cell, :, :, None]
-        y[:, end:] = 1.0 / float(shear[0, 0, 0])
-        fall = np.tanh((bottom - top) * xi[:end] / STEP_DIVISIONS[:, None])
-        for step in range(4):
-            rows = slice(step, None)
-            y[rows, :end] = across_above(y[rows, :end], shear[rows, step], fall[rows])
-    return np.asarray((EXTRAPOLATION_WEIGHTS @ y)[np.argsort(order)])
+    ladders = _through_cells(cells, xi, SURFACE_DECAY, across=True)[0][0]
+    return np.asarray(EXTRAPOLATION_WEIGHTS @ ladders)
 
 
 def states_with_depth(cells: Mesh, xi: Array) -> Iterator[CellState]:
     """Yield, edge by edge from the surface, what a pressure wave does; xi real, ``(m,)``."""
-    y, stored = _through_cells(cells, xi, INTERIOR_DECAY, True)
+    y, stored = _through_cells(cells, xi, INTERIOR_DECAY, keep=True)
     shear, axial = np.zeros((4, xi.size)), np.full((4, xi.size), -1.0)
     deep = np.broadcast_to(_started(cells.deep_shear, cells.deep_poisson), y.shape)
     faces = [y, *(block[:3] for block in stored[1:]), deep]

@@ -18,27 +18,18 @@ import math
 
 import numpy as np
 
-from winkler.materials.elastic import RIGID
-from winkler.media.layered.across import climbed_across
-from winkler.media.layered.pair_response import Mode, PairResponse
-from winkler.media.layered.stack import StackBody
-from winkler.media.layered.wave_constants import Body, constants_of
+from winkler.media.layered.across import climbed_across, less_than_one
+from winkler.media.layered.pair_response import PairResponse
+from winkler.media.layered.wave_constants import constants_of
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values.value import value
 
 __all__ = ["FloatingAcross"]
 
-SMALL_DEPTH = 0.05
-"""Wave number times thickness below which 1 - tanh(x)/x is summed as a series."""
-
 
 @value
 class FloatingAcross(PairResponse):
     """The response to a twist of layers without shear below them; the lowest of the stack slides."""
-
-    mode: Mode
-    first: StackBody
-    second: Body = RIGID
 
     @property
     def span(self) -> float:
@@ -66,7 +57,7 @@ class FloatingAcross(PairResponse):
         for (g, d), layer, face in reversed(list(zip(self._plates, stack.layers, below, strict=True))):
             x = xi * d
             bent = np.tanh(x) / (g * face) if layer.bonded else 0.0
-            less = (less + g * d * _missing(x) + (sheet + g * d) * bent) / (1.0 + bent)
+            less = (less + g * d * less_than_one(x) + (sheet + g * d) * bent) / (1.0 + bent)
             sheet += g * d
         pole, y = self._pole / self._share, -2.0 * xi * self.length
         short = np.divide(np.expm1(y), y, out=np.ones_like(y), where=y != 0.0)  # (1 - exp(y)) / -y
@@ -76,11 +67,3 @@ class FloatingAcross(PairResponse):
     def long_wave_kernel(self, x: Array) -> Array:
         """The cosine transform of what `excess` leaves out [1/m], but for a constant."""
         return np.asarray(-self._pole / math.pi * np.log1p((0.5 * x / self.length) ** 2))
-
-
-def _missing(x: ComplexArray) -> ComplexArray:
-    """Return 1 - tanh(x)/x."""
-    square = x * x
-    series = square * (1 / 3 - square * (2 / 15 - square * (17 / 315 - square * (62 / 2835 - square * 1382 / 155925))))
-    safe = np.where(x == 0.0, 1.0, x)
-    return np.where(np.abs(x) < SMALL_DEPTH, series, 1.0 - np.tanh(safe) / safe)

@@ -28,6 +28,7 @@ from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.pair_response import Mode
 from winkler.media.layered.stack import stack_waves
 from winkler.media.layered.wave_constants import IsotropicAt, Wave
+from winkler.media.medium import exact_response
 from winkler.media.relaxing.at_rate import (
     GLASSY,
     RELAXED,
@@ -47,7 +48,6 @@ from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_
 from winkler.numerics.transforms.wave_creep import WaveCreep, fit_wave_creep
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values.errors import InvalidInput
-from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
 
 __all__ = ["ViscoelasticCoatedHalfSpace"]
@@ -194,15 +194,11 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
         short = VANISHED_DEPTH / layers[0].thickness  # from here on waves feel the uppermost layer alone
         return both(part, stack_waves(layers, own(self.on), part, np.minimum(xi, short) + 0j), own(self.second))
 
-    notes = (
-        Note(
-            Assumption.RESPONSE,
-            Standing.EXACT,
-            "Frictionless contact of perfectly bonded, isotropic, linear viscoelastic layers with constant "
-            "Poisson's ratios, without inertia. The pressures are superposed over the history, separately for "
-            "each wavelength.",
-            LEE,
-        ),
+    notes = exact_response(
+        "Frictionless contact of perfectly bonded, isotropic, linear viscoelastic layers with constant "
+        "Poisson's ratios, without inertia. The pressures are superposed over the history, separately for "
+        "each wavelength.",
+        LEE,
     )
     """What is assumed."""
 

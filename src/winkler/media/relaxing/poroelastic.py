@@ -21,6 +21,7 @@ from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.pair_response import Mode
 from winkler.media.layered.wave_constants import Wave
+from winkler.media.medium import exact_response
 from winkler.media.relaxing.at_rate import (
     GLASSY,
     RELAXED,
@@ -40,7 +41,6 @@ from winkler.numerics.transforms.wave_creep import WaveCreep, fit_wave_creep
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values.checks.number_checks import Advice, Number, Positive, PositiveNotTiny
 from winkler.values.errors import OutsideValidity
-from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
 __all__ = ["PoroelasticFilm"]
@@ -201,17 +201,13 @@ class PoroelasticFilm(RelaxingByWaves):
         )
         return film if isinstance(self.second, Rigid) else film.plus(half_space_creep(self.second))
 
-    notes = (
-        Note(
-            Assumption.RESPONSE,
-            Standing.EXACT,
-            "Frictionless contact with a film bonded to a rigid base, by Biot's linear theory with "
-            "incompressible constituents and without inertia. Liquid passes freely through the surface, also "
-            "into the indenter, but not into the base. Under a sealed indenter the force would decrease later. "
-            "For contacts wider than 40 thicknesses the flow within 1e-5 h^2/D is taken as instantaneous. After "
-            "a step the force is 3 % too high at 1e-4 h^2/D, 0.3 % at 1e-3 h^2/D, and less later.",
-            BIOT,
-        ),
+    notes = exact_response(
+        "Frictionless contact with a film bonded to a rigid base, by Biot's linear theory with "
+        "incompressible constituents and without inertia. Liquid passes freely through the surface, also "
+        "into the indenter, but not into the base. Under a sealed indenter the force would decrease later. "
+        "For contacts wider than 40 thicknesses the flow within 1e-5 h^2/D is taken as instantaneous. After "
+        "a step the force is 3 % too high at 1e-4 h^2/D, 0.3 % at 1e-3 h^2/D, and less later.",
+        BIOT,
     )
     """What is assumed."""
 

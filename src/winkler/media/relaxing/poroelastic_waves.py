@@ -23,6 +23,7 @@ import math
 
 import numpy as np
 
+from winkler.media.layered.across import less_than_one
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.panels.chebyshev import fit_nodes, panels_from
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_NUMBER
@@ -80,7 +81,7 @@ def drained_waves(rate: ComplexArray, x: Array, poisson: float) -> ComplexArray:
 def undrained_waves(x: Array) -> Array:
     """Return c G of the film before any liquid has moved, ``(m,)``: incompressible, whatever its drained network."""
     found, near = np.full(x.shape, 0.25), x < DEEP
-    square, missing = x[near] ** 2, _missing(x[near])
+    square, missing = x[near] ** 2, less_than_one(x[near])
     part = 1.0 - missing  # tanh(x) / x
     found[near] = 0.25 * x[near] * (square * part**2 - missing) / (1.0 + square * (1.0 - square * part**2))
     return found
@@ -93,7 +94,7 @@ def _shallow(rate: ComplexArray, x: Array, uniaxial: float) -> ComplexArray:
     pressure, the shear stress gives the last one over the first, and the pressure the first one.
     """
     root = np.sqrt(x**2 + rate)
-    missing, square = _missing(x), x**2
+    missing, square = less_than_one(x), x**2
     part, own = 1.0 - missing, _over(root)
     sech_x, sech_m = (2.0 * np.exp(-k) / (1.0 + np.exp(-2.0 * k)) for k in (x, root))
     ratio = np.exp(x - root) * (1.0 + np.exp(-2.0 * x)) / (1.0 + np.exp(-2.0 * root))  # cosh x / cosh m
@@ -152,13 +153,6 @@ def _over(z: ComplexArray) -> ComplexArray:
     fade, square = np.exp(-2.0 * z), z**2
     series = 1.0 - square / 3.0 * (1.0 - 0.4 * square * (1.0 - 17.0 / 42.0 * square))
     return np.asarray(np.where(small, series, (1.0 - fade) / (1.0 + fade) / np.where(small, 1.0, z)))
-
-
-def _missing(x: Array) -> Array:
-    """Return 1 - tanh(x) / x."""
-    square = x**2
-    series = square / 3.0 * (1.0 - 0.4 * square * (1.0 - 17.0 / 42.0 * square * (1.0 - 62.0 / 153.0 * square)))
-    return np.asarray(np.where(x < 0.05, series, 1.0 - np.tanh(x) / np.where(x > 0.0, x, 1.0)))
 
 
 @cached_by_value(32)

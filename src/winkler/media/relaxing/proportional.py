@@ -22,7 +22,7 @@ from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.media.layered.depth_graded import DepthGradedHalfSpace
 from winkler.media.layered.pair_response import Mode
 from winkler.media.layered.wave_constants import Wave, half_space_compliance
-from winkler.media.medium import Displacement
+from winkler.media.medium import Displacement, exact_response
 from winkler.media.offers import PlaneMedium, PowerOfDepth, offers
 from winkler.media.punch_field import BodyField
 from winkler.media.relaxing.at_rate import both, solid_at
@@ -32,7 +32,7 @@ from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSer
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values.checks.number_checks import Advice, Positive
 from winkler.values.errors import OutsideValidity
-from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.validity import Note
 from winkler.values.value import value
 
 __all__ = ["RelaxingInProportion"]
@@ -143,15 +143,13 @@ class RelaxingInProportion(RelaxingLayers):
     @property
     def notes(self) -> tuple[Note, ...]:
         """What is assumed: that of the elastic medium, and that all relaxes in proportion."""
-        alike = Note(
-            Assumption.RESPONSE,
-            Standing.EXACT,
+        alike = exact_response(
             "All deformable parts have one common relaxation function and constant Poisson's ratios, so g does "
             "not change with time. While the contact is one disc, elastic results apply with displacements "
             "replaced by their hereditary integrals.",
             LEE,
         )
-        return (*self.medium.notes, alike)
+        return (*self.medium.notes, *alike)
 
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
         """Stresses and displacements inside the first body (`below`) or the second, at depths z >= 0 into it.

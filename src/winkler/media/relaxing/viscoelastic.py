@@ -21,14 +21,13 @@ from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.media.interior import subsurface
 from winkler.media.layered.wave_constants import Wave, half_space_compliance
-from winkler.media.medium import Displacement, rigid_body
+from winkler.media.medium import Displacement, exact_response, rigid_body
 from winkler.media.punch_field import BodyField
 from winkler.media.relaxing.at_rate import both, half_space_creep, solid_at
 from winkler.media.relaxing.relaxing_medium import LEE, RelaxingMedium
 from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, of_creep
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values.errors import InvalidInput, OutsideValidity
-from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
 
 __all__ = ["ViscoelasticHalfSpace", "creep_ratio", "share_of_creep"]
@@ -107,14 +106,10 @@ class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
         own = half_space_compliance(solid_at(self.first, s), part)
         return both(part, np.full(xi.shape, own, dtype=complex), solid_at(self.second, s))
 
-    notes = (
-        Note(
-            Assumption.RESPONSE,
-            Standing.EXACT,
-            "Linear viscoelastic half-spaces with constant Poisson's ratios, without friction and inertia. While "
-            "the contact is one disc, the springs are equal to the three-dimensional solution.",
-            LEE,
-        ),
+    notes = exact_response(
+        "Linear viscoelastic half-spaces with constant Poisson's ratios, without friction and inertia. While "
+        "the contact is one disc, the springs are equal to the three-dimensional solution.",
+        LEE,
     )
     """What is assumed."""
 

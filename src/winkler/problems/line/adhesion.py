@@ -20,7 +20,6 @@ import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
-from winkler.foundation.line_bed import LineBed
 from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.laws.adhesion import Dugdale
 from winkler.loading.loads import HalfWidth, LineForce
@@ -33,9 +32,11 @@ from winkler.problems.assumptions.declared import ADHESIVE
 from winkler.problems.line.adhesion_notes import adhesion_notes
 from winkler.problems.line.cohesive import CohesiveLineStates
 from winkler.problems.line.equilibria import FIXED_GRIPS, LineLaw, line_states
+from winkler.problems.line.half_width import refuse_beyond
 from winkler.problems.line.layered_strip import OnLayers
 from winkler.problems.line.pressing_load import OfWidth
-from winkler.problems.line.strip import OfStrip, Strip
+from winkler.problems.line.stress import Strip
+from winkler.problems.line.strip import OfStrip
 from winkler.problems.one_load import one_of, single
 from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note
@@ -107,7 +108,8 @@ class LineAdhesion(PerLoad[Q]):
         flat = np.atleast_1d(np.asarray(given, dtype=float)).ravel()
         stable = np.ones(flat.shape, dtype=bool)
         if isinstance(self.load, HalfWidth):
-            force, half_width, stable = *_at_half_width(self.bed, self.law, flat), _is_stable(self, flat)
+            refuse_beyond(self.bed, flat)
+            force, half_width, stable = states.depth(flat), flat.copy(), _is_stable(self, flat)
         else:
             force = flat
             half_width = widest(states, FIXED_GRIPS, flat, "force per length", "N/m", "half-width")
@@ -115,18 +117,6 @@ class LineAdhesion(PerLoad[Q]):
         held = stable.reshape(shape) if shape else bool(stable[0])
         kind = LayeredLineAdhesionSolution if isinstance(self.bed, LayeredLineFoundation) else LineAdhesionSolution
         return kind(self, shaped(force, shape), shaped(half_width, shape), held)
-
-
-def _at_half_width(bed: LineBed, law: LineLaw, half_width: Array) -> tuple[Array, Array]:
-    """Return P [N/m] and a [m] of the equilibria at given half-widths."""
-    end = min(bed.reach, bed.rim)
-    beyond = half_width > end
-    if beyond.any():
-        wall = "the rim of the body" if bed.rim <= bed.reach else "the reach of the profile"
-        raise OutsideValidity(
-            f"half-width {half_width[beyond][0]:.6g} m is beyond {wall} ({end:.6g} m); give a smaller one."
-        )
-    return line_states(bed, law).depth(half_width), half_width.copy()
 
 
 def _is_stable(problem: LineAdhesion, half_width: Array) -> Array:

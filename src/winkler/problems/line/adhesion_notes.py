@@ -7,15 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line_bed import LineBed
 from winkler.laws.adhesion import Dugdale
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.widest_contact import stable_counts
 from winkler.problems.assumptions.adhesion_range import range_note
 from winkler.problems.line.equilibria import FIXED_GRIPS, LineLaw, line_states
-from winkler.problems.line.layered_notes import strip_notes, yield_notes
-from winkler.problems.line.strip import Strip
+from winkler.problems.line.stress import Strip
 from winkler.problems.line.validity import line_notes
 from winkler.problems.line.yield_statement import line_yield_notes
 from winkler.values.validity import Assumption, Note, Standing
@@ -52,10 +50,7 @@ def adhesion_notes(
         Prescribed forces per length [N/m]; empty if a half-width was prescribed.
     """
     a = strip.half_width
-    if isinstance(stressed, LayeredLineFoundation):
-        notes = [*strip_notes(stressed, a, strip.edge_load, sticking=True)]
-    else:
-        notes = [*line_notes(bed, a, sticking=True)]
+    notes = [*line_notes(stressed, *strip, sticking=True)]
     if a == 0.0:
         return tuple(notes)
     stretch = float(np.sqrt(2.0 * np.pi * a * law.work / bed.medium.modulus) * bed.edge_share(np.array([a]))[0])
@@ -78,9 +73,7 @@ def adhesion_notes(
         )
         source = "all limits of stability along the states of equilibrium"
         notes.append(Note(Assumption.EQUILIBRIUM, Standing.EXACT, text, source))
-    if isinstance(stressed, LayeredLineFoundation):
-        return (*notes, *yield_notes(stressed, a, strip.edge_load))
-    return (*notes, *line_yield_notes(stressed, a, strip.edge_load))
+    return (*notes, *line_yield_notes(stressed, strip))
 
 
 def _overlap_note(bed: LineBed, half_width: float, separation: Callable[[Array], Array]) -> Note:

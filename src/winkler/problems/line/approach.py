@@ -79,7 +79,6 @@ def depth_of(place: Place, name: str, half_width: float) -> float:
     half_width : float
         a [m].
     """
-    finite = place if isinstance(place, RollerCentre | PlateBase) else None
     depth = place.depth if isinstance(place, RollerCentre | PlateBase) else place
     if not isinstance(depth, Real) or not 0.0 < depth < np.inf:
         raise InvalidInput(
@@ -87,7 +86,7 @@ def depth_of(place: Place, name: str, half_width: float) -> float:
             f"what it is counted against: a positive, finite depth below the {name} body's surface, "
             "RollerCentre(radius) or PlateBase(thickness)."
         )
-    if finite is not None and half_width > WIDEST * depth:
+    if depth is not place and half_width > WIDEST * depth:
         raise OutsideValidity(
             f"The half-width {half_width:.6g} m is more than {WIDEST:g} of the {name} body's radius or thickness "
             f"{depth:.6g} m, which must be large against it; press less, or give a depth."

@@ -19,7 +19,15 @@ from winkler.profiles.profile import Profile, Sum
 from winkler.profiles.wavy import Wavy
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
-__all__ = ["borne_at_most", "grows", "refuse_unless_strips", "under_force", "under_mean_pressure", "widest_allowed"]
+__all__ = [
+    "borne_at_most",
+    "grows",
+    "refuse_beyond",
+    "refuse_unless_strips",
+    "under_force",
+    "under_mean_pressure",
+    "widest_allowed",
+]
 
 SAMPLES, SAMPLES_ON_LAYERS = 513, 129
 PRESSURE_SAMPLES = 129
@@ -46,19 +54,24 @@ Curve = Callable[[Array], tuple[Array, Array]]
 
 def widest_allowed(bed: LineBed, half_width: Array) -> None:
     """Refuse half-widths beyond the profile, and those that do not determine the load."""
-    end = min(bed.reach, bed.rim)
-    beyond = half_width > end
-    if beyond.any():
-        wall = "the rim of the body" if bed.rim <= bed.reach else "the reach of the profile"
-        raise OutsideValidity(
-            f"half-width {half_width[beyond][0]:.6g} m is beyond {wall} ({end:.6g} m); give a smaller one."
-        )
+    refuse_beyond(bed, half_width)
     flat = bed.flat
     within = (half_width > 0.0) & (half_width <= flat)
     if within.any():
         raise OutsideValidity(
             f"half-width {half_width[within][0]:.6g} m does not determine the load: the body is flat up to "
             f"{flat:.6g} m and touches there at once; give a force per length."
+        )
+
+
+def refuse_beyond(bed: LineBed, half_width: Array) -> None:
+    """Refuse half-widths ``(m,)`` [m] beyond the profile."""
+    end = min(bed.reach, bed.rim)
+    beyond = half_width > end
+    if beyond.any():
+        wall = "the rim of the body" if bed.rim <= bed.reach else "the reach of the profile"
+        raise OutsideValidity(
+            f"half-width {half_width[beyond][0]:.6g} m is beyond {wall} ({end:.6g} m); give a smaller one."
         )
 
 

@@ -17,17 +17,17 @@ from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.loading.loads import HalfWidth, LineForce, MeanPressure
-from winkler.numerics.types import ArrayLike, PerLoad, Q, shaped
+from winkler.numerics.types import PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.greatest_stress import Placed, greatest, von_mises
 from winkler.problems.line.half_width import refuse_unless_strips, under_force, under_mean_pressure, widest_allowed
+from winkler.problems.line.layered_stress import greatest_in_part
 from winkler.problems.line.layered_strip import OnLayers
 from winkler.problems.line.peak_pressure import peak_pressure, rim_load
 from winkler.problems.line.pressing_load import OfWidth, given_by, pressing
 from winkler.problems.line.references import Reference
-from winkler.problems.line.stress import LineContact, LineFields
-from winkler.problems.line.strip import OfStrip, Strip
-from winkler.problems.line.validity import line_notes
+from winkler.problems.line.stress import LineContact, Strip, one_coefficient, poisson_of
+from winkler.problems.line.strip import OfStrip
 from winkler.problems.line.yield_statement import line_contact_notes
 from winkler.problems.normal.strong_parts import StrongPart
 from winkler.problems.one_load import one_of, single
@@ -128,7 +128,8 @@ class LineSolution(OfStrip, OfWidth[Q]):
     def peak_pressure(self) -> Q:
         """The maximum pressure [Pa]; infinite at a sharp tip, kink or rim, zero without contact."""
         pairs = zip(np.ravel(self.force_per_length), np.ravel(self.half_width), strict=True)
-        peaks = [peak_pressure(self.problem.bed, float(p), float(a)) for p, a in pairs]
+        bed = self.problem.bed
+        peaks = [peak_pressure(bed, Strip(float(a), rim_load(bed, float(p), float(a)))) for p, a in pairs]
         return shaped(np.array(peaks), np.shape(self.half_width))
 
     def _strip(self, requested: str) -> Strip:
@@ -150,7 +151,8 @@ class LineSolution(OfStrip, OfWidth[Q]):
         InvalidInput, OutsideValidity
             As of `stresses`; also where the stress is infinite, below a sharp tip, kink or rim.
         """
-        contact = self._contact(below, friction)
+        coefficient, strip = one_coefficient(type(self).__name__, friction), self._touching("greatest_stress")
+        contact = LineContact(self._bed, *strip, poisson_of(self._bed.medium, below), coefficient)
         if not np.isfinite(self.peak_pressure):
             raise OutsideValidity(
                 "The stress below a sharp tip, kink or rim is infinite; round it off, or request places with stresses."
@@ -192,7 +194,7 @@ class LineSolution(OfStrip, OfWidth[Q]):
         return line_contact_notes(self._bed, self.force_per_length, self.half_width, friction)
 
     def part_stress(self, part: StrongPart, friction: float) -> Placed:
-        """Return the maximum von Mises stress [Pa] of a part under one load, and its place [m].
+        """Return the maximum von Mises stress [Pa] of a part under one load, and its place; z < 0 in the second body.
 
         Parameters
         ----------
@@ -200,7 +202,7 @@ class LineSolution(OfStrip, OfWidth[Q]):
         friction : float
             As of `stresses`.
         """
-        return greatest(LineContact(self._bed, *self._strip("part_stress"), part.solid.poisson, friction), von_mises)
+        return greatest_in_part(self._bed, self._strip("part_stress"), part, friction)
 
 
 @value
@@ -211,11 +213,12 @@ class LayeredLineSolution(OnLayers[Q], LineSolution[Q]):
     """
 
 
-class OnPowerLaw(OfStrip, PerLoad[Q]):
-    """The part of a solution that a power law determines."""
+@value
+class PowerLawLineSolution(LineSolution[Q]):
+    """The solution of a `LineIndentation` on bodies graded by a power; every quantity has the shape of the load.
 
-    force_per_length: Q
-    half_width: Q
+    Where the modulus grows with the depth it has a `depth`.
+    """
 
     @property
     def depth(self) -> Q:
@@ -246,34 +249,3 @@ class OnPowerLaw(OfStrip, PerLoad[Q]):
         bed: PowerLawLineFoundation = self.problem.bed
         a, edge_load = self._strip("approach")
         return float(bed.depth(np.array(a), np.array(edge_load)))
-
-    def stresses(self, x: ArrayLike, z: ArrayLike, friction: float = 0.0) -> LineFields:
-        """Refused: below the surface of a power law no field is known to winkler."""
-        raise self._unknown_stresses()
-
-    def greatest_stress(self, friction: float = 0.0, *, below: bool = True) -> Placed:
-        """Refused, as `stresses`."""
-        raise self._unknown_stresses()
-
-    def part_stress(self, part: StrongPart, friction: float) -> Placed:
-        """Refused, as `stresses`."""
-        raise self._unknown_stresses()
-
-    def dragged_notes(self, friction: float) -> tuple[Note, ...]:
-        """Return how far the result can be trusted, as of `LineSolution.dragged_notes`."""
-        return line_notes(self.problem.bed, float(np.max(self.half_width)))
-
-    @staticmethod
-    def _unknown_stresses() -> OutsideValidity:
-        return OutsideValidity(
-            "The stresses inside a GradedHalfSpace are not known to winkler; request the surface, or sample the "
-            "grading by the layers of a CoatedHalfSpace in a LayeredLineFoundation."
-        )
-
-
-@value
-class PowerLawLineSolution(OnPowerLaw[Q], LineSolution[Q]):
-    """The solution of a `LineIndentation` on bodies graded by a power; every quantity has the shape of the load.
-
-    Where the modulus grows with the depth it has a `depth`.
-    """

@@ -34,6 +34,7 @@ from winkler.media.offers import PlaneMedium
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, wave_numbers
 from winkler.numerics.transforms.strips.strip_equation import LOCAL_PHASE, excess_at
 from winkler.numerics.types import Array
+from winkler.problems.line.approach import depth_of
 from winkler.problems.line.references import PlateBase, Reference, RollerCentre
 from winkler.values.errors import InvalidInput, OutsideValidity
 
@@ -41,8 +42,6 @@ __all__ = ["has_depth", "layered_approach"]
 
 FIRST_WAVE_NUMBER, LARGEST_PHASE = 0.1, 12.0
 POINTS, POINTS_PER_RATIO = 64, 48
-WIDEST = 0.2
-"""Greatest half-width over the size of a finite body."""
 
 
 def has_depth(medium: object) -> bool:
@@ -124,23 +123,11 @@ def _second_depth(medium: PlaneMedium, place: float | Reference | None, half_wid
             "How far points inside a transversely isotropic second body move is not known to winkler; give an Elastic "
             "or a Rigid one."
         )
-    finite = place if isinstance(place, RollerCentre | PlateBase) else None
-    depth = finite.depth if finite is not None else place
-    if not isinstance(depth, Real) or not 0.0 < depth < math.inf:
-        raise InvalidInput(
-            "A line contact has no depth of its own, because the surface of a half-plane sinks without bound. Give "
-            "what it is counted against: a positive, finite depth below the second body's surface, "
-            "RollerCentre(radius) or PlateBase(thickness)."
-        )
-    if finite is None:
-        return float(depth), 0.0
-    if half_width > WIDEST * depth:
-        raise OutsideValidity(
-            f"The half-width {half_width:.6g} m is more than {WIDEST:g} of the second body's radius or thickness "
-            f"{depth:.6g} m, which must be large against it; press less, or give a depth."
-        )
+    depth = depth_of(place, "second", half_width)
+    if not isinstance(place, RollerCentre | PlateBase):
+        return depth, 0.0
     share = medium.modulus * (1.0 - body.poisson**2) / (math.pi * body.young)
-    return float(depth), share * finite.added(body.poisson)
+    return depth, share * place.added(body.poisson)
 
 
 def _moved_first(bed: LayeredLineFoundation, k: Array, depth: float) -> Array:

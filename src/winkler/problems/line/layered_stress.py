@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from collections.abc import Callable
 from typing import Any
@@ -13,24 +14,23 @@ from winkler.materials.elastic import Elastic, Rigid
 from winkler.media.layered.plane_interior import PlaneWaves, added_stresses
 from winkler.media.layered.wave_constants import Body
 from winkler.media.medium import rigid_body
-from winkler.media.offers import LayerStack
+from winkler.media.offers import LayerStack, PlaneMedium, offers
 from winkler.numerics.equations.highest import MOST_ROUNDS, highest
 from winkler.numerics.types import Array
-from winkler.problems.line.greatest_stress import Measure, Placed, sought, von_mises
+from winkler.problems.line.greatest_stress import Measure, Placed, greatest, sought, von_mises
 from winkler.problems.line.peak_pressure import is_sharp
-from winkler.problems.line.stress import LineContact, LineFields, stresses
-from winkler.problems.line.strip import Strip
+from winkler.problems.line.stress import LineContact, LineFields, Strip, poisson_of, stresses
 from winkler.problems.normal.strong_parts import StrongPart
 from winkler.values.errors import OutsideValidity
 from winkler.values.value import value, words
 
 __all__ = [
     "LayerStress",
+    "fields_below",
     "greatest_in_part",
     "greatest_within",
     "in_layers",
     "layer_stresses",
-    "layered_fields",
     "waves_for_search",
 ]
 
@@ -85,29 +85,29 @@ def _spread(strip: Strip, depth: float) -> float:
     return math.hypot(strip.half_width, depth)
 
 
-def layered_fields(
+def fields_below(
     bed: Any,
     strip: Strip,
     x: Array,
     z: Array,
     below: bool,
-    waves: PlaneWaves | None = None,
     friction: float = 0.0,
+    waves: PlaneWaves | None = None,
 ) -> LineFields:
     """Return the stresses at places of one shape, z as requested.
 
     Parameters
     ----------
-    bed : LayeredLineFoundation
+    bed : LineBed or PeriodicBed
     strip : Strip
     x, z : ndarray
         [m].
     below : bool
-        In the layered body.
-    waves : PlaneWaves, optional
-        Of this strip, for places as far away as these.
+        In the first body, which may have layers.
     friction : float
         Traction on the body along x over the pressure [-].
+    waves : PlaneWaves, optional
+        Of this strip on layers, for places as far away as these.
     """
 
     def own(across: Array, deep: Array, poisson: float) -> LineFields:
@@ -116,6 +116,8 @@ def layered_fields(
     def waves_below(farthest: float) -> PlaneWaves:
         return bed.waves_below(*strip, farthest) if waves is None else waves
 
+    if not offers(bed.medium, PlaneMedium):
+        return dataclasses.replace(own(x, np.abs(z), poisson_of(bed.medium, below)), z=z)
     bed.refuse_dragged(friction)
     return in_layers(bed.layered, own, waves_below, x, z, below, friction)
 
@@ -186,8 +188,8 @@ def layer_stresses(bed: LayeredLineFoundation, strip: Strip, friction: float) ->
     found = []
     for number, (top, bottom) in enumerate(bed.layered.spans, 1):
         shear, place = _interface(bed, strip, bottom, friction) if math.isfinite(bottom) else (math.nan, math.nan)
-        greatest = greatest_within(bed, strip, (top, bottom), waves, friction)
-        found.append(LayerStress(number, *greatest, shear, place))
+        worst = greatest_within(bed, strip, (top, bottom), waves, friction)
+        found.append(LayerStress(number, *worst, shear, place))
     return tuple(found)
 
 
@@ -214,10 +216,10 @@ def greatest_in_part(
         Of which kind; von Mises' unless given.
     """
     shallowest = NEAR * strip.half_width if part.top == 0.0 and is_sharp(bed, *strip) else 0.0
-    if not part.first:
+    if not (part.first and offers(bed.medium, PlaneMedium)):
         contact = LineContact(bed, *strip, part.solid.poisson, friction)
-        place = sought(contact, measure, shallowest=shallowest)
-        return place._replace(z=-place.z)
+        place = sought(contact, measure, shallowest=shallowest) if shallowest else greatest(contact, measure)
+        return place if part.first else place._replace(z=-place.z)
     top = max(part.top, min(shallowest, 0.5 * part.bottom))
     waves = waves_for_search(bed, strip, part.top)
     return greatest_within(bed, strip, (top, part.bottom), waves, friction, rounds, measure)
@@ -263,7 +265,7 @@ def greatest_within(
 
     def field(across: Array, depth: Array) -> Array:
         places = np.abs(across) if even else across
-        return measure(layered_fields(bed, strip, places, depth, True, waves, friction))
+        return measure(fields_below(bed, strip, places, depth, True, friction, waves))
 
     found = highest(
         field, [_both_sides(x, even), z[z <= bottom]], [(-x[-1], x[-1]), (top, bottom)], starts=STARTS, rounds=rounds
@@ -283,7 +285,7 @@ def _interface(bed: LayeredLineFoundation, strip: Strip, depth: float, friction:
     waves = bed.waves_below(*strip, float(x[-1]))
 
     def shear(across: Array) -> Array:
-        fields = layered_fields(bed, strip, across, np.full(across.shape, depth), True, waves, friction)
+        fields = fields_below(bed, strip, across, np.full(across.shape, depth), True, friction, waves)
         return np.abs(fields.xz_stress)
 
     found = highest(shear, [_both_sides(x, friction == 0.0)])

@@ -80,10 +80,8 @@ class LoadSprings:
         """Whether w is known to rise."""
         return self.line.profile.rising
 
-    @property
-    def certain(self) -> bool:
-        """As `rising`."""
-        return self.rising
+    certain = rising
+    """As `rising`."""
 
     @property
     def notes(self) -> tuple[Note, ...]:

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from winkler.foundation.line_bed import LineBed
 from winkler.numerics.equations.highest import highest_of_curve
+from winkler.numerics.types import Curve
+from winkler.problems.line.stress import Strip
 
 __all__ = ["is_sharp", "peak_pressure", "rim_load"]
 
@@ -41,20 +45,19 @@ def is_sharp(bed: LineBed, half_width: float, rim_load: float) -> bool:
     return (rim_load != 0.0 and bed.edges_bear) or kinked or float(bed.slope(np.zeros(1))[0]) != 0.0
 
 
-def peak_pressure(bed: LineBed, force: float, half_width: float) -> float:
+def peak_pressure(bed: Any, strip: Strip, pressure: Curve | None = None) -> float:
     """Return the greatest pressure [Pa]: infinite at a sharp tip, kink or rim, zero without contact.
 
     Parameters
     ----------
-    bed : LineBed
-    force : float
-        P [N/m].
-    half_width : float
-        a [m].
+    bed : LineBed or PeriodicBed
+    strip : Strip
+    pressure
+        Over places that are not negative [m]; that of the bed unless given.
     """
-    if half_width == 0.0:
+    a, edge_load = strip
+    if a == 0.0:
         return 0.0
-    on_rim = rim_load(bed, force, half_width)
-    if is_sharp(bed, half_width, on_rim):
+    if is_sharp(bed, a, edge_load):
         return np.inf
-    return highest_of_curve(lambda x: bed.pressure(x, half_width, on_rim), half_width)
+    return highest_of_curve(pressure or (lambda x: bed.pressure(x, a, edge_load)), a)

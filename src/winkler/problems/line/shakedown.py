@@ -26,21 +26,19 @@ import numpy as np
 
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
+from winkler.foundation.line_bed import LineBed
 from winkler.laws.friction import Overcome
 from winkler.numerics.equations.roots import between
 from winkler.numerics.equations.smallest_ball import smallest_balls
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import PRESSED
-from winkler.problems.line.at_strength import first_at_strength, refuse_sharp, refuse_without_strength
+from winkler.problems.line.at_strength import Share, at_strength, full_strength, refuse_sharp, refuse_without_strength
 from winkler.problems.line.greatest_stress import Placed
 from winkler.problems.line.half_width import refuse_unless_strips
-from winkler.problems.line.layered_notes import strip_notes
-from winkler.problems.line.layered_stress import layered_fields
-from winkler.problems.line.layered_yield import Share, full_on_layers
+from winkler.problems.line.layered_stress import fields_below
 from winkler.problems.line.pressing_load import OfWidth
-from winkler.problems.line.stress import LineContact, LineFields, stresses
-from winkler.problems.line.strip import Strip
+from winkler.problems.line.stress import LineFields, Strip
 from winkler.problems.line.validity import line_notes
 from winkler.problems.line.yielding import FRICTIONLESS
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
@@ -111,20 +109,23 @@ class LineShakedown:
             If the profile has a sharp tip, kink or rim, or the limit is not met within its reach.
         """
         bed, mu = self.bed, self.friction.coefficient
+        refuse_sharp(bed, "LineShakedown")
 
         def share(half_width: float, refinements: int) -> Placed:
             return _greatest_share(bed, half_width, mu, refinements)
 
         if isinstance(bed, LayeredLineFoundation):
-            refuse_sharp(bed, "LineShakedown")
-            a, place = full_on_layers(bed, share, (COARSE, REFINED), COARSE_TOLERANCE, "LineShakedown")
-            refuse_unless_strips(bed, np.array([a]))
+            a, place = full_strength(bed, share, (COARSE, REFINED), COARSE_TOLERANCE, "LineShakedown")
         else:
-            a, place = first_at_strength(bed, mu, _shear_along, "LineShakedown")
+            parts = strong_parts(bed.medium)
+            a, place = min(
+                (at_strength(bed, part, mu, "LineShakedown", _shear_along) for part in parts), key=lambda one: one[0]
+            )
             left = share(a, REFINED)
             if left.value > 1.0 + REACHED:
                 a = a / left.value if bed.hertzian else _lowered(bed, share, a)
                 place = share(a, REFINED)
+        refuse_unless_strips(bed, np.array([a]))
         force = bed.medium.modulus * float(bed.load_profile(np.array([a]))[0])
         return LineShakedownSolution(self, force, a, place.x, place.z)
 
@@ -166,8 +167,6 @@ class LineShakedownSolution(OfWidth[float]):
             "elastic.",
             MELAN,
         )
-        if isinstance(bed, LayeredLineFoundation):
-            return (*strip_notes(bed, self.half_width, 0.0), slid, note)
         return (*line_notes(bed, self.half_width), slid, note)
 
 
@@ -190,9 +189,7 @@ def _lowered(bed: LineFoundation, share: Share, bound: float) -> float:
     return bed.flat + math.exp(between(excess, low, high, absolute=LOWERED))
 
 
-def _greatest_share(
-    bed: LineFoundation | LayeredLineFoundation, half_width: float, friction: float, refinements: int
-) -> Placed:
+def _greatest_share(bed: LineBed, half_width: float, friction: float, refinements: int) -> Placed:
     """Return the greatest over all parts of the stress that residual stresses leave, over the strength."""
     best = Placed(0.0, 0.0, 0.0)
     for part in strong_parts(bed.medium):
@@ -202,7 +199,7 @@ def _greatest_share(
 
 
 def _left(
-    bed: LineFoundation | LayeredLineFoundation,
+    bed: LineBed,
     half_width: float,
     part: StrongPart,
     friction: float,
@@ -236,9 +233,7 @@ def _left(
     return Placed(float(least.level[top]), float(x[place]), float(z[top] if part.first else -z[top]))
 
 
-def _grid(
-    bed: LineFoundation | LayeredLineFoundation, half_width: float, part: StrongPart, friction: float
-) -> tuple[Array, Array]:
+def _grid(bed: LineBed, half_width: float, part: StrongPart, friction: float) -> tuple[Array, Array]:
     """Return the places and depths [m] of the first grid in a part."""
     a, wide = half_width, math.hypot(half_width, part.top)
     first = part.top if part.top == 0.0 else float(np.nextafter(part.top, math.inf))
@@ -254,7 +249,7 @@ def _grid(
 
 
 def _fields(
-    bed: LineFoundation | LayeredLineFoundation,
+    bed: LineBed,
     half_width: float,
     part: StrongPart,
     friction: float,
@@ -263,10 +258,8 @@ def _fields(
 ) -> LineFields:
     """Return the stresses of a part at places and depths [m] ``(n, d)``, with waves for the farthest place."""
     strip, x, z = Strip(half_width, 0.0), at[0][:, None], at[1][None, :]
-    if not isinstance(bed, LayeredLineFoundation):
-        return stresses(LineContact(bed, *strip, part.solid.poisson, friction), x, z)
-    waves = bed.waves_below(*strip, farthest) if part.first else None
-    return layered_fields(bed, strip, x, z if part.first else -z, part.first, waves, friction)
+    waves = bed.waves_below(*strip, farthest) if part.first and isinstance(bed, LayeredLineFoundation) else None
+    return fields_below(bed, strip, x, z if part.first else -z, part.first, friction, waves)
 
 
 class Least(NamedTuple):

@@ -20,11 +20,21 @@ import numpy as np
 from winkler.foundation.line_bed import LineBed
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
-from winkler.numerics.types import Array
+from winkler.media.offers import PowerOfDepth, offers
+from winkler.numerics.types import Array, ComplexArray
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.value import value
 
-__all__ = ["InBody", "LineContact", "LineFields", "fields_of", "one_coefficient", "poisson_of", "stresses"]
+__all__ = [
+    "LineContact",
+    "LineFields",
+    "Strip",
+    "fields_of",
+    "one_coefficient",
+    "poisson_of",
+    "potential_of",
+    "stresses",
+]
 
 
 @value
@@ -63,6 +73,21 @@ class LineFields:
         return np.asarray(np.maximum(half, 0.5 * (half + np.abs(middle - self.yy_stress))))
 
 
+class Strip(NamedTuple):
+    """A contact from -a to a.
+
+    Parameters
+    ----------
+    half_width
+        a [m].
+    edge_load
+        Load per length over E* that the edge bears beyond w(a) [m]; negative where it pulls.
+    """
+
+    half_width: float
+    edge_load: float
+
+
 class LineContact(NamedTuple):
     """What the stresses below one contact need.
 
@@ -78,8 +103,6 @@ class LineContact(NamedTuple):
         Of the body.
     friction
         Traction on the body along x over the pressure [-].
-    pressed
-        Part of the pressure that acts [-]; zero for the traction alone.
     """
 
     bed: LineBed
@@ -87,15 +110,6 @@ class LineContact(NamedTuple):
     rim_load: float
     poisson: float
     friction: float
-    pressed: float = 1.0
-
-
-class InBody(NamedTuple):
-    """What the stresses in a body need beside the potential: see `LineContact`."""
-
-    poisson: float
-    friction: float = 0.0
-    pressed: float = 1.0
 
 
 def one_coefficient(owner: str, friction: Any) -> float:
@@ -108,6 +122,11 @@ def one_coefficient(owner: str, friction: Any) -> float:
 
 def poisson_of(medium: object, below: bool) -> float:
     """Return Poisson's ratio of the first body (`below`) or the second; refuse one without stresses."""
+    if offers(medium, PowerOfDepth):
+        raise OutsideValidity(
+            "The stresses inside a GradedHalfSpace are not known to winkler; request the surface, or sample the "
+            "grading by the layers of a CoatedHalfSpace."
+        )
     body = getattr(medium, "first" if below else "second", None) if isinstance(medium, HalfSpace) else None
     if not isinstance(body, Elastic):
         raise OutsideValidity(
@@ -120,27 +139,45 @@ def poisson_of(medium: object, below: bool) -> float:
 def stresses(contact: LineContact, x: Array, z: Array) -> LineFields:
     """Return the stresses at places in the axes of the body, z >= 0, of one shape."""
     x, z = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(z, dtype=float))
+    pressed, mu = potential_of(contact.bed, Strip(contact.half_width, contact.rim_load), x, z), contact.friction
+    return fields_of(x, z, pressed, contact.poisson, mu * pressed if mu != 0.0 else None)
+
+
+def potential_of(bed: LineBed, strip: Strip, x: Array, z: Array) -> ComplexArray:
+    """Return F and z F' [Pa] of the pressure of a strip at places z >= 0, ``(2, ...)``."""
     away, deep = np.abs(x).ravel(), z.ravel()
-    whole, slope = np.where(np.isfinite(away + deep), 0.0, np.nan) * np.zeros((2, 1), dtype=complex)
+    found = np.where(np.isfinite(away + deep), 0.0, np.nan) * np.zeros((2, 1), dtype=complex)
     below, surface = np.isfinite(away) & (deep > 0.0) & (deep < np.inf), np.isfinite(away) & (deep == 0.0)
-    bed, a, rim_load = contact.bed, contact.half_width, contact.rim_load
-    whole[below], slope[below] = bed.potential(away[below], deep[below], a, rim_load)
-    whole[surface] = bed.surface_potential(away[surface], a, rim_load)
+    found[:, below] = bed.potential(away[below], deep[below], *strip)
+    found[1, below] *= deep[below]
+    found[0, surface] = bed.surface_potential(away[surface], *strip)
     side = np.where(x.ravel() < 0.0, -1.0, 1.0)  # F(-conj(zeta)) = -conj(F(zeta))
-    whole.real *= side
-    slope.imag *= side
-    body = InBody(contact.poisson, contact.friction, contact.pressed)
-    return fields_of(x, z, whole.reshape(x.shape), slope.reshape(x.shape), body)
+    found[0].real *= side
+    found[1].imag *= side
+    return found.reshape(2, *x.shape)
 
 
-def fields_of(x: Array, z: Array, whole: Array, slope: Array, body: InBody) -> LineFields:
-    """Return the stresses of a potential F [Pa] with the derivative F' [Pa/m] at places z >= 0, all of one shape."""
-    u, v = whole.real, whole.imag
-    du, dv = z * slope.real, z * slope.imag
-    mu, pressed = body.friction, body.pressed
-    # without friction nothing is multiplied by zero: the stress is infinite at a rim
-    dragged = mu * np.array([2.0 * u - dv, dv, v + du]) if mu != 0.0 else np.zeros((3, *u.shape))
-    along = pressed * (v + du) - dragged[0]
-    across = pressed * (v - du) - dragged[1]
-    shear = -pressed * dv + dragged[2]
-    return LineFields(x, z, along, body.poisson * (along + across), across, shear)
+def fields_of(
+    x: Array, z: Array, pressed: ComplexArray, poisson: float, dragged: ComplexArray | None = None, bulk: float = 0.0
+) -> LineFields:
+    """Return the stresses in a body under a pressure and a traction, all at places of one shape.
+
+    Parameters
+    ----------
+    x, z : ndarray
+        [m].
+    pressed : ndarray, (2, ...)
+        F and z F' of the pressure [Pa].
+    poisson : float
+    dragged : ndarray, (2, ...), optional
+        The same of the traction on the body along x; none where there is no traction, as zero times an infinite
+        pressure at a rim.
+    bulk : float
+        Stress along x far from the contact [Pa].
+    """
+    p, dp = pressed
+    along, across, shear = p.imag + dp.real + bulk, p.imag - dp.real, -dp.imag
+    if dragged is not None:
+        q, dq = dragged
+        along, across, shear = along - (2.0 * q.real - dq.imag), across - dq.imag, shear + q.imag + dq.real
+    return LineFields(x, z, along, poisson * (along + across), across, shear)

@@ -6,39 +6,26 @@ that of a flat punch of the half-width a.
 
 from __future__ import annotations
 
-import dataclasses
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
+from winkler.media.offers import PlaneMedium, offers
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.line.approach import approach
+from winkler.problems.line.layered_approach import layered_approach
+from winkler.problems.line.layered_stress import fields_below
 from winkler.problems.line.references import Reference
-from winkler.problems.line.stress import LineContact, LineFields, one_coefficient, poisson_of, stresses
+from winkler.problems.line.stress import LineFields, Strip, one_coefficient
 from winkler.problems.which_body import in_first_body
 from winkler.values.checks.place_checks import common_places, finite_places
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["OfStrip", "Stressed", "Strip"]
-
-
-class Strip(NamedTuple):
-    """A contact from -a to a.
-
-    Parameters
-    ----------
-    half_width
-        a [m].
-    edge_load
-        Load per length over E* that the edge bears beyond w(a) [m]; negative where it pulls.
-    """
-
-    half_width: float
-    edge_load: float
+__all__ = ["OfStrip", "Stressed"]
 
 
 class Stressed:
-    """A solution whose stresses below the surface are known."""
+    """A solution whose pressures, and stresses below the surface, are known."""
 
     problem: Any
 
@@ -50,42 +37,6 @@ class Stressed:
     def _strip(self, requested: str) -> Strip:
         """Return the strip of one load; refuse many."""
         raise NotImplementedError
-
-    def stresses(self, x: ArrayLike, z: ArrayLike, friction: float = 0.0) -> LineFields:
-        """Return the stresses below the surface under one load.
-
-        Parameters
-        ----------
-        x : array_like
-            Places along the surface [m].
-        z : array_like
-            Depths [m]: not negative in the first body, negative in the second, of which -0.0 is the surface.
-            All in one of them.
-        friction : float
-            mu [-] of a contact that slides everywhere: the body is dragged along x by mu p, against it if negative.
-
-        Raises
-        ------
-        InvalidInput
-            If the solution has more than one load, or the depths lie in both bodies.
-        OutsideValidity
-            If there is no contact, or the body is rigid or not isotropic.
-        """
-        place, depth = common_places(f"{type(self).__name__}.stresses", x=x, z=z)
-        below = in_first_body(depth, type(self).__name__)
-        fields = stresses(self._contact(below, friction), place, np.abs(depth))
-        return fields if below else dataclasses.replace(fields, z=-fields.z)
-
-    def _contact(self, below: bool, friction: float) -> LineContact:
-        friction = one_coefficient(type(self).__name__, friction)
-        a, edge_load = self._strip("stresses")
-        if a == 0.0:
-            raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
-        return LineContact(self._bed, a, edge_load, poisson_of(self._bed.medium, below), friction)
-
-
-class OfStrip(Stressed):
-    """The part of a solution that one strip determines."""
 
     def pressure(self, x: ArrayLike) -> Array:
         """Return the pressure under one load [Pa], zero outside of the contact.
@@ -105,6 +56,42 @@ class OfStrip(Stressed):
         if a == 0.0:
             return np.zeros(x.shape)
         return np.asarray(self._bed.pressure(x, a, edge_load))
+
+    def stresses(self, x: ArrayLike, z: ArrayLike, friction: float = 0.0) -> LineFields:
+        """Return the stresses below the surface under one load.
+
+        Parameters
+        ----------
+        x : array_like
+            Places along the surface [m].
+        z : array_like
+            Depths [m]: not negative in the first body, negative in the second, of which -0.0 is the surface.
+            All in one of them. A place on an interface of layers belongs to the upper one.
+        friction : float
+            mu [-] of a contact that slides everywhere: the body is dragged along x by mu p, against it if negative.
+
+        Raises
+        ------
+        InvalidInput
+            If the solution has more than one load, or the depths lie in both bodies.
+        OutsideValidity
+            If there is no contact, or the body is rigid, not isotropic or graded.
+        """
+        owner = type(self).__name__
+        place, depth = common_places(f"{owner}.stresses", x=x, z=z)
+        below, coefficient = in_first_body(depth, owner), one_coefficient(owner, friction)
+        return fields_below(self._bed, self._touching("stresses"), place, depth, below, coefficient)
+
+    def _touching(self, requested: str) -> Strip:
+        """Return the strip of one load; refuse one without contact."""
+        strip = self._strip(requested)
+        if strip.half_width == 0.0:
+            raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
+        return strip
+
+
+class OfStrip(Stressed):
+    """The part of a solution that one strip determines."""
 
     def separation(self, x: ArrayLike) -> Array:
         """Return the distance of the deformed surfaces under one load [m], zero inside of the contact.
@@ -135,7 +122,7 @@ class OfStrip(Stressed):
         ----------
         first, second : float, RollerCentre or PlateBase
             Depths of the points below the surfaces of half-planes [m], or finite bodies; that in a rigid body may be
-            left out.
+            left out. Below layers it is a depth in the body that carries them, counted from the surface.
 
         Raises
         ------
@@ -145,4 +132,5 @@ class OfStrip(Stressed):
             If the medium is not a `HalfSpace`, or the strip is wider than a fifth of a finite body.
         """
         a, edge_load = self._strip("approach")
-        return approach(self._bed, a, edge_load, first, second)
+        measured = layered_approach if offers(self._bed.medium, PlaneMedium) else approach
+        return measured(self._bed, a, edge_load, first, second)

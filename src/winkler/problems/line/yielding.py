@@ -18,10 +18,7 @@ from winkler.media.layered.hankel_waves import blurred
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.at_strength import at_strength, refuse_sharp, refuse_without_strength
-from winkler.problems.line.greatest_stress import von_mises
 from winkler.problems.line.half_width import refuse_unless_strips
-from winkler.problems.line.layered_notes import strip_notes
-from winkler.problems.line.layered_yield import at_strength_on_layers
 from winkler.problems.line.pressing_load import OfWidth
 from winkler.problems.line.validity import line_notes
 from winkler.problems.normal.onset.part_onset import NAME, PART, onset_note
@@ -124,10 +121,7 @@ class LineYieldOnset:
         """Return the onset of one part; why there is none is added to the failures."""
         bed, mu = self.bed, self.friction.coefficient
         try:
-            if isinstance(bed, LayeredLineFoundation):
-                a, place = at_strength_on_layers(bed, part, mu, "LineYieldOnset")
-            else:
-                a, place = at_strength(bed, part, mu, von_mises, "LineYieldOnset")
+            a, place = at_strength(bed, part, mu, "LineYieldOnset")
             refuse_unless_strips(bed, np.array([a]))
         except (OutsideValidity, NotConverged) as error:
             failures.append(error)
@@ -171,6 +165,7 @@ class LineYieldOnsetSolution(OfWidth[float]):
         rows = [(one.name, one.force_per_length) for one in self.onsets]
         bed = self.problem.bed
         slid = sliding_note(bed.medium, self.problem.friction.coefficient)  # type: ignore[arg-type]
+        fading: list[str] = []
         if isinstance(bed, LayeredLineFoundation):
             length = bed.medium.response.length
             fading = [
@@ -178,5 +173,4 @@ class LineYieldOnsetSolution(OfWidth[float]):
                 for one in self.onsets
                 if math.isfinite(one.half_width) and math.copysign(1.0, one.z) > 0.0 and blurred(length, one.half_width)
             ]
-            return (*strip_notes(bed, self.half_width, 0.0), slid, onset_note(rows, "N/m", fading=fading))
-        return (*line_notes(bed, self.half_width), slid, onset_note(rows, "N/m"))
+        return (*line_notes(bed, self.half_width), slid, onset_note(rows, "N/m", fading=fading))

@@ -11,9 +11,7 @@ from winkler.foundation.line import LineFoundation
 from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.laws.friction import Coulomb
 from winkler.numerics.surfaces.strip_elements import linear_potential
-from winkler.numerics.types import Array, ArrayLike
-from winkler.problems.line.peak_pressure import rim_load
-from winkler.problems.line.stress import LineContact, poisson_of, stresses
+from winkler.numerics.types import Array, ArrayLike, ComplexArray
 from winkler.problems.line_friction.element_row import TouchingElements
 from winkler.problems.line_friction.sheared_strip import ShearedStrip
 from winkler.problems.line_viscoelastic.states import LineViscoelasticState
@@ -115,29 +113,18 @@ class LineMarchedState(ShearedStrip):
         found[inside] = row[cell] + share * (row[cell + 1] - row[cell])
         return found
 
-    def _stresses(self, x: Array, deep: Array, below: bool) -> tuple[Array, Array, Array, Array]:
+    def _refuse_stresses(self) -> None:
         if not self.bed.sheared_as_pressed:
             raise OutsideValidity(
                 "LineTangential: stresses inside layers that a contact shears while it slips in part are not computed; "
                 "LineIndentation(bed, load).solve().stresses(x, z, friction) has those of a contact that slides."
             )
-        poisson = poisson_of(self.bed.medium, below)
-        side, mu = 1.0 if below else -1.0, self.law.coefficient
+
+    def _dragged(self, x: Array, deep: Array, pressed: ComplexArray) -> ComplexArray:
         # as if the mean of what both edges use were used everywhere, and the rest of the traction beside it
         common = 0.5 * float(self.used_friction[0] + self.used_friction[-1])
-        on_rim = rim_load(self.bed, self.force_per_length, self.half_width)
-        contact = LineContact(self.bed, self.half_width, on_rim, poisson, side * common * mu)
-        fields = stresses(contact, x, deep)
-        whole, slope = linear_potential(*self._rest(common), x.ravel(), deep.ravel())
-        whole, slope = side * whole.reshape(x.shape), side * slope.reshape(x.shape)
-        xx, zz = -2.0 * whole.real + slope.imag, -slope.imag
-        bulk = self.bulk_stress if below else 0.0
-        return (
-            fields.xx_stress + xx + bulk,
-            fields.yy_stress + poisson * (xx + zz + bulk),
-            fields.zz_stress + zz,
-            fields.xz_stress + whole.imag + slope.real,
-        )
+        rest = np.array(linear_potential(*self._rest(common), x.ravel(), deep.ravel())).reshape(2, *x.shape)
+        return rest + common * self.law.coefficient * pressed if common else rest
 
     def _rest(self, common: float) -> tuple[Array, Array]:
         """Return places, and the traction [Pa] there less that of a contact that uses `common` of its friction."""
@@ -170,7 +157,7 @@ class LineDraggedState(LineMarchedState):
         """Return the pressure [Pa] at places x [m], zero outside of the contact."""
         return self.pressed.pressure(x)
 
-    def _stresses(self, x: Array, deep: Array, below: bool) -> tuple[Array, Array, Array, Array]:
+    def _refuse_stresses(self) -> None:
         raise OutsideValidity(
             "LineTangential: stresses inside bodies that relax are not computed for a line; read pressure(x) and "
             "traction(x)."

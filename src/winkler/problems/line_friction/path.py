@@ -13,6 +13,7 @@ from typing import Annotated
 import numpy as np
 
 from winkler.numerics.types import Array
+from winkler.problems.line_viscoelastic.path import divided
 from winkler.values.checks.number_checks import FiniteQuantity, NonNegativeQuantity, Whole, affordable
 from winkler.values.errors import InvalidInput
 from winkler.values.limits import PATH_POINTS
@@ -135,8 +136,4 @@ class LinePath:
         given = self.force_per_length, self.shear_force_per_length, bulk, self.time
         rows = (np.atleast_1d(row) for row in given)
         row = np.broadcast_arrays(*rows)[which]
-        between = np.arange(1 + (row.size - 1) * self.count) / self.count
-        low = np.minimum(between.astype(int), max(row.size - 2, 0))
-        share, last = between - low, np.minimum(low + 1, row.size - 1)
-        # a force that stays must stay the same number
-        return np.asarray(np.where(share == 1.0, row[last], row[low] + share * (row[last] - row[low])))
+        return divided((row,), np.full(row.size - 1, self.count))[0]

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 
 from winkler.foundation.line_bed import LineBed
-from winkler.numerics.types import Array, ArrayLike, PerLoad, Q
+from winkler.numerics.types import Array, ArrayLike, ComplexArray, PerLoad, Q
 from winkler.problems.line.peak_pressure import rim_load
-from winkler.problems.line.stress import LineFields
+from winkler.problems.line.stress import LineFields, Strip, fields_of, poisson_of, potential_of
 from winkler.problems.which_body import in_first_body
 from winkler.values.checks.place_checks import common_places, finite_places
 from winkler.values.errors import OutsideValidity
@@ -76,8 +78,18 @@ class ShearedStrip(LineSlip[float]):
         below = in_first_body(depth, owner)
         if self.half_width == 0.0:
             raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
-        return LineFields(along, depth, *self._stresses(along, np.abs(depth), below))
+        self._refuse_stresses()
+        poisson, bulk = poisson_of(self.bed.medium, below), self.bulk_stress if below else 0.0
+        deep, strip = np.abs(depth), Strip(self.half_width, rim_load(self.bed, self.force_per_length, self.half_width))
+        pressed = potential_of(self.bed, strip, along, deep)
+        dragged = self._dragged(along, deep, pressed)
+        if dragged is not None and not below:
+            dragged = -dragged
+        return dataclasses.replace(fields_of(along, deep, pressed, poisson, dragged, bulk), z=depth)
 
-    def _stresses(self, x: Array, deep: Array, below: bool) -> tuple[Array, Array, Array, Array]:
-        """Return stresses xx, yy, zz, xz [Pa] at these distances from the surface, in the first body or the second."""
+    def _refuse_stresses(self) -> None:
+        """Refuse stresses that are not computed."""
+
+    def _dragged(self, x: Array, deep: Array, pressed: ComplexArray) -> ComplexArray | None:
+        """Return F and z F' [Pa] of the traction on the first body at these distances from the surface, if any."""
         raise NotImplementedError

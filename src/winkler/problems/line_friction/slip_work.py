@@ -26,7 +26,7 @@ from winkler.problems.line_friction.slip_curve import slip_curve
 from winkler.problems.line_friction.strips import EarlierStrip, slipped, strips_of, traction
 from winkler.problems.row import Reached, Row
 
-__all__ = ["SummedRow", "shift_of_memory", "work_and_shift"]
+__all__ = ["SummedRow", "work_and_shift"]
 
 ANGLES, STEPS = np.polynomial.legendre.leggauss(20)
 PLACES, WEIGHTS = np.sin(0.5 * np.pi * ANGLES), 0.5 * np.pi * STEPS * np.cos(0.5 * np.pi * ANGLES)
@@ -82,22 +82,9 @@ class SummedRow(Row[SummedGoal, SummedCells]):
             return Reached(SummedCells(memory, strips, state.shift + further), math.nan, lost)
         if sums is None:
             return Reached(SummedCells(memory, (), 0.0), math.nan, 0.0)
-        shift = bed.along_share * shift_of_memory(sums, memory, modulus) if goal.force > 0.0 else 0.0
+        # of the second body, beyond a strip that sticks under this force
+        shift = -bed.along_share * sums.within(memory)[1] / modulus if goal.force > 0.0 else 0.0
         return Reached(SummedCells(memory, (), shift), math.nan, max(bed.along_share * lost, 0.0))
-
-
-def shift_of_memory(sums: SlipSums, memory: SlipMemory, modulus: float) -> float:
-    """Return by how much the second body is shifted along x beyond a strip that sticks under this force [m].
-
-    Parameters
-    ----------
-    sums : SlipSums
-        Of the bed.
-    memory : SlipMemory
-    modulus : float
-        E* [Pa].
-    """
-    return -sums.within(memory)[1] / modulus
 
 
 def work_and_shift(

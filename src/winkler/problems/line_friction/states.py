@@ -8,11 +8,10 @@ from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.power_law_line import PowerLawLineFoundation
 from winkler.laws.friction import Coulomb
-from winkler.numerics.types import Array, ArrayLike
+from winkler.numerics.types import Array, ArrayLike, ComplexArray
 from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.line.half_width import under_force
-from winkler.problems.line.peak_pressure import rim_load
-from winkler.problems.line.stress import LineContact, poisson_of, stresses
+from winkler.problems.line.stress import Strip, potential_of
 from winkler.problems.line_friction.sheared_strip import ShearedStrip
 from winkler.problems.line_friction.strips import EarlierStrip, slipped, strips_of, traction
 from winkler.values.checks.place_checks import finite_places
@@ -99,16 +98,10 @@ class LineTangentialState(ShearedStrip):
         ahead[inside] = slipped(self.bed, self.strips, x[inside])
         return ahead
 
-    def _stresses(self, x: Array, deep: Array, below: bool) -> tuple[Array, Array, Array, Array]:
-        poisson = poisson_of(self.bed.medium, below)
-        on_rim = rim_load(self.bed, self.force_per_length, self.half_width)
-        fields = stresses(LineContact(self.bed, self.half_width, on_rim, poisson, 0.0), x, deep)
-        bulk = self.bulk_stress if below else 0.0
-        xx, yy, zz, xz = fields.xx_stress + bulk, fields.yy_stress + poisson * bulk, fields.zz_stress, fields.xz_stress
-        for strip in self.strips:
-            if strip.factor != 0.0 and strip.half_width > 0.0:
-                drag = strip.factor if below else -strip.factor
-                contact = LineContact(self.bed, strip.half_width, strip.rim_load, poisson, drag, pressed=0.0)
-                part = stresses(contact, x - strip.middle, deep)
-                xx, yy, zz, xz = xx + part.xx_stress, yy + part.yy_stress, zz + part.zz_stress, xz + part.xz_stress
-        return xx, yy, zz, xz
+    def _dragged(self, x: Array, deep: Array, pressed: ComplexArray) -> ComplexArray | None:
+        parts = [
+            strip.factor * potential_of(self.bed, Strip(strip.half_width, strip.rim_load), x - strip.middle, deep)
+            for strip in self.strips
+            if strip.factor != 0.0 and strip.half_width > 0.0
+        ]
+        return np.asarray(sum(parts[1:], parts[0])) if parts else None

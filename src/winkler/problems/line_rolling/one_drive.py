@@ -132,10 +132,10 @@ class UnderOneDrive(PerLoad[Q]):
         poisson = poisson_of(self.problem.bed.medium, below)
         if self.strips:
             fields = strip_stresses(self.strips[0], a, self.problem.bed.medium.modulus, poisson, below, place, deep)
-            return fields if below else dataclasses.replace(fields, z=-fields.z)
-        contact = LineContact(self.problem.bed, a, 0.0, poisson, mu if below else -mu)
-        fields = rolling_stresses(contact, c, place, deep)
-        return fields if below else dataclasses.replace(fields, z=-fields.z)
+        else:
+            contact = LineContact(self.problem.bed, a, 0.0, poisson, mu if below else -mu)
+            fields = rolling_stresses(contact, c, place, deep)
+        return dataclasses.replace(fields, z=depth)
 
     def _one(self, requested: str) -> tuple[float, float, float]:
         """Return a, c [m], and mu with the sign of the force."""

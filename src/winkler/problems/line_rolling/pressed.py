@@ -15,15 +15,15 @@ from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array
 from winkler.problems.line.greatest_stress import greatest
 from winkler.problems.line.indentation import LineIndentation, LineSolution
-from winkler.problems.line.stress import LineContact, LineFields, stresses
+from winkler.problems.line.stress import LineContact, LineFields, Strip, fields_of, potential_of
+from winkler.problems.line.yield_statement import nearest_to_strength
 from winkler.problems.normal.strong_parts import strong_parts
-from winkler.problems.normal.unknown_yield import MISES
-from winkler.problems.normal.yield_statement import share_of
+from winkler.problems.normal.yield_statement import elastic_note
 from winkler.problems.rolling.creepage import Creepage
 from winkler.profiles.power import Paraboloid
 from winkler.values.checks.field_checks import Condition
 from winkler.values.errors import InvalidInput, OutsideValidity
-from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.validity import Note, Standing
 from winkler.values.value import value
 
 __all__ = [
@@ -88,15 +88,12 @@ def rolling_stresses(contact: LineContact, stick_half_width: float, x: Array, z:
 
     The traction is that of sliding less that of the same cylinder in a strip of half-width c about a - c.
     """
-    whole = stresses(contact, x, z)
-    if stick_half_width == 0.0:
-        return whole
-    shifted = np.asarray(x, dtype=float) - (contact.half_width - stick_half_width)
-    inner = contact._replace(half_width=stick_half_width)
-    pressed, dragged = stresses(inner._replace(friction=0.0), shifted, z), stresses(inner, shifted, z)
-    names = ("xx_stress", "yy_stress", "zz_stress", "xz_stress")
-    parts = (getattr(whole, name) - (getattr(dragged, name) - getattr(pressed, name)) for name in names)
-    return LineFields(whole.x, whole.z, *parts)
+    x, z = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(z, dtype=float))
+    pressed = slid = potential_of(contact.bed, Strip(contact.half_width, 0.0), x, z)
+    if stick_half_width > 0.0:
+        shifted = x - (contact.half_width - stick_half_width)
+        slid = slid - potential_of(contact.bed, Strip(stick_half_width, 0.0), shifted, z)
+    return fields_of(x, z, pressed, contact.poisson, contact.friction * slid)
 
 
 @value
@@ -142,20 +139,8 @@ def rolling_yield_notes(contact: LineSolution, friction: float, stick_share: flo
         mu = friction if part.first else -friction
         measure = RollingMises(stick_share, part.solid.poisson, mu)
         place = greatest(LineContact(bed, a, 0.0, part.solid.poisson, mu), measure)
-        found.append((place.value / part.solid.strength, place, part))
-    if not found:
-        return ()
-    share, place, part = max(found, key=lambda one: one[0])
-    depth = place.z if part.first else -place.z
-    where = f"{share_of(share, part)}, at x = {place.x:.3g} m, z = {depth:.3g} m"
-    if share < 1.0:
-        text, standing = f"the contact stays elastic: its greatest stress is {where}", Standing.EXACT
-    else:
-        text, standing = (
-            f"yielding has begun: the greatest elastic stress is {where}; the result is not elastic",
-            (Standing.OUTSIDE),
-        )
-    return (Note(Assumption.ELASTIC, standing, f"By von Mises' criterion {text}.", MISES),)
+        found.append((place if part.first else place._replace(z=-place.z), part))
+    return (elastic_note(*nearest_to_strength(found), Standing.EXACT),) if found else ()
 
 
 def refuse_unless_along(owner: str, drive: LineShearForce | Creepage) -> None:

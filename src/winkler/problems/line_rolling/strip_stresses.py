@@ -6,12 +6,13 @@ import numpy as np
 
 from winkler.numerics.surfaces.strip_elements import linear_potential
 from winkler.numerics.types import Array
+from winkler.problems.line.greatest_stress import Placed
 from winkler.problems.line.indentation import LineSolution
-from winkler.problems.line.stress import LineFields
+from winkler.problems.line.stress import LineFields, fields_of
+from winkler.problems.line.yield_statement import nearest_to_strength
 from winkler.problems.line_rolling.rolled_strip import RolledStrip, creepage_error, loss_error
 from winkler.problems.normal.strong_parts import strong_parts
-from winkler.problems.normal.unknown_yield import MISES
-from winkler.problems.normal.yield_statement import share_of
+from winkler.problems.normal.yield_statement import elastic_note
 from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["FULL_COUPLING", "strip_note", "strip_stresses", "strip_yield_notes"]
@@ -43,14 +44,11 @@ def strip_stresses(
     x, z : ndarray
         Places in the axes of the body [m], of one shape, z not negative.
     """
-    drag = modulus if below else -modulus
-    rows = (modulus * strip.pressure, drag * strip.traction)
-    (p, dp), (q, dq) = (linear_potential(strip.x * half_width, row, x.ravel(), z.ravel()) for row in rows)
-    along = p.imag + dp.real - (2.0 * q.real - dq.imag)
-    across = p.imag - dp.real - dq.imag
-    shear = -dp.imag + q.imag + dq.real
-    parts = (along, poisson * (along + across), across, shear)
-    return LineFields(x, z, *(part.reshape(x.shape) for part in parts))
+    side = 1.0 if below else -1.0
+    rows = (modulus * strip.pressure, side * modulus * strip.traction)
+    found = [np.array(linear_potential(strip.x * half_width, row, x.ravel(), z.ravel())) for row in rows]
+    pressed, dragged = (each.reshape(2, *x.shape) for each in found)
+    return fields_of(x, z, pressed, poisson, dragged)
 
 
 def strip_note(strip: RolledStrip, slope: float) -> Note:
@@ -78,14 +76,6 @@ def strip_yield_notes(contact: LineSolution, strip: RolledStrip) -> tuple[Note, 
     for part in strong_parts(medium):
         stress = strip_stresses(strip, a, medium.modulus, part.solid.poisson, part.first, x, z).von_mises
         place = np.unravel_index(int(np.argmax(stress)), stress.shape)
-        found.append((float(stress[place]) / part.solid.strength, float(x[place]), float(z[place]), part))
-    if not found:
-        return ()
-    share, along, deep, part = max(found, key=lambda one: one[0])
-    where = f"{share_of(share, part)}, near x = {along:.3g} m, z = {deep if part.first else -deep:.3g} m"
-    if share < 1.0:
-        text, standing = f"the contact stays elastic: its greatest stress is {where}", Standing.APPROXIMATE
-    else:
-        text = f"yielding has begun: the greatest elastic stress is {where}; the result is not elastic"
-        standing = Standing.OUTSIDE
-    return (Note(Assumption.ELASTIC, standing, f"By von Mises' criterion {text}.", MISES),)
+        z_of_part = z if part.first else -z
+        found.append((Placed(float(stress[place]), float(x[place]), float(z_of_part[place])), part))
+    return (elastic_note(*nearest_to_strength(found), Standing.APPROXIMATE),) if found else ()

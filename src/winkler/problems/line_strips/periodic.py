@@ -25,16 +25,14 @@ from winkler.loading.loads import HalfWidth, LineForce, NominalPressure
 from winkler.numerics.types import Array, ArrayLike, PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.half_width import borne_at_most, refuse_unless_strips, under_force
-from winkler.problems.line.layered_stress import layered_fields
-from winkler.problems.line.peak_pressure import rim_load
+from winkler.problems.line.peak_pressure import peak_pressure, rim_load
 from winkler.problems.line.pressing_load import OfWidth, given_by, pressing
-from winkler.problems.line.stress import LineFields, one_coefficient
-from winkler.problems.line.strip import Stressed, Strip
-from winkler.problems.line_strips.periodic_notes import closing_load, periodic_notes, periodic_peak
+from winkler.problems.line.stress import Strip
+from winkler.problems.line.strip import Stressed
+from winkler.problems.line_strips.periodic_notes import closing_load, periodic_notes
 from winkler.problems.one_load import one_of, single
-from winkler.problems.which_body import in_first_body
 from winkler.values.checks.number_checks import Positive
-from winkler.values.checks.place_checks import common_places, finite_places
+from winkler.values.checks.place_checks import finite_places
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
@@ -202,29 +200,12 @@ class PeriodicSolution(Stressed, OfWidth[Q]):
     def peak_pressure(self) -> Q:
         """The maximum pressure [Pa]; infinite at a sharp crest or kink, zero without contact."""
         strips = [self._strip_of(float(p), float(a)) for p, a in self._pairs()]
-        return shaped(np.array([periodic_peak(self._bed, strip) for strip in strips]), np.shape(self.half_width))
+        return shaped(np.array([peak_pressure(self._bed, strip) for strip in strips]), np.shape(self.half_width))
 
     @property
     def closure_pressure(self) -> float:
         """Nominal pressure [Pa] at which all is in contact; infinite if the valleys are sharp."""
         return float(self._bed.medium.modulus * closing_load(self._bed) / self.problem.pitch)
-
-    def pressure(self, x: ArrayLike) -> Array:
-        """Return the pressure under one load [Pa], zero outside of the strips.
-
-        Parameters
-        ----------
-        x : array_like
-            Places on the surface [m]; the middle of one strip is x = 0.
-
-        Raises
-        ------
-        InvalidInput
-            If the solution has more than one load.
-        """
-        a, extra = self._strip("pressure")
-        x = finite_places("PeriodicSolution.pressure", "x", x)
-        return self._bed.pressure(x, a, extra) if a > 0.0 else np.zeros(x.shape)
 
     def separation(self, x: ArrayLike) -> Array:
         """Return the distance of the deformed surfaces under one load [m], zero inside of the strips.
@@ -246,29 +227,6 @@ class PeriodicSolution(Stressed, OfWidth[Q]):
             return np.zeros(x.shape)
         u = to_line(np.abs(x - pitch * np.round(x / pitch)), pitch)
         return line.separation(u, float(to_line(np.array(a), pitch)), 0.0)
-
-    def stresses(self, x: ArrayLike, z: ArrayLike, friction: float = 0.0) -> LineFields:
-        """Return the stresses below the surface under one load, as of `LineSolution.stresses`; in layers, too.
-
-        Parameters
-        ----------
-        x, z : array_like
-            Places along the surface [m], and depths [m] in one body; an interface belongs to the upper layer.
-        friction : float
-            Traction along x over the pressure [-] of a contact that slides everywhere.
-
-        Raises
-        ------
-        InvalidInput, OutsideValidity
-            As of `LineSolution.stresses`.
-        """
-        if not isinstance(self.problem.bed, LayeredLineFoundation):
-            return Stressed.stresses(self, x, z, friction)
-        strip, mu = self._strip("stresses"), one_coefficient("PeriodicSolution", friction)
-        if strip.half_width == 0.0:
-            raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
-        across, depth = common_places("PeriodicSolution.stresses", x=x, z=z)
-        return layered_fields(self._bed, strip, across, depth, in_first_body(depth, "PeriodicSolution"), friction=mu)
 
     def at(self, index: int | tuple[int, ...]) -> PeriodicSolution[float]:
         """Return the solution of one load of an array.

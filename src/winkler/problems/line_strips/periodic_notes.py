@@ -10,19 +10,18 @@ import numpy as np
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.periodic import PeriodicBed, in_closed_form
-from winkler.numerics.equations.highest import highest_of_curve
 from winkler.problems.line.greatest_stress import Placed, greatest, von_mises
-from winkler.problems.line.layered_notes import WAVES, yield_notes
 from winkler.problems.line.peak_pressure import is_sharp
-from winkler.problems.line.stress import LineContact, stresses
-from winkler.problems.line.strip import Strip
+from winkler.problems.line.stress import LineContact, Strip, stresses
+from winkler.problems.line.validity import HALF_PLANES, WAVES
+from winkler.problems.line.yield_statement import line_yield_notes, nearest_to_strength
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.unknown_yield import MISES
 from winkler.problems.normal.validity import steepness_note
-from winkler.problems.normal.yield_statement import share_of
+from winkler.problems.normal.yield_statement import elastic_note
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["closing_load", "periodic_notes", "periodic_peak"]
+__all__ = ["closing_load", "periodic_notes"]
 
 WESTERGAARD = "H. M. Westergaard, J. Appl. Mech. 6 (1939) A49-A53"
 PRESSURE_SAMPLES, REFINEMENTS = 65, 9
@@ -50,16 +49,6 @@ def closing_load(bed: PeriodicBed) -> float:
     return float(line.load_profile(np.array([line.rim]))[0] + bed.pitch * tension / bed.medium.modulus)
 
 
-def periodic_peak(bed: PeriodicBed, strip: Strip) -> float:
-    """Return the greatest pressure [Pa]; infinite at a sharp crest or kink, zero without contact."""
-    a, extra = strip
-    if a == 0.0:
-        return 0.0
-    if is_sharp(bed.line, bed.line.rim, 0.0):
-        return np.inf
-    return highest_of_curve(lambda x: bed.pressure(x, a, extra), a)
-
-
 def periodic_notes(bed: PeriodicBed, one: LineFoundation | LayeredLineFoundation, strip: Strip) -> tuple[Note, ...]:
     """Return the notes of the widest of several contacts.
 
@@ -73,18 +62,9 @@ def periodic_notes(bed: PeriodicBed, one: LineFoundation | LayeredLineFoundation
     """
     a, extra = strip
     layered = isinstance(one, LayeredLineFoundation)
-    standing, bodies = (
-        one.layered_body.in_plane
-        if isinstance(one, LayeredLineFoundation)
-        else (Standing.EXACT, "Homogeneous, linear elastic half-planes in plane strain under normal load")
-    )
-    response = Note(
-        Assumption.RESPONSE,
-        standing,
-        f"{bodies}. Equal strips repeat at the pitch without end. Far below the surface they act like a "
-        "uniform pressure.",
-        WAVES if layered else WESTERGAARD,
-    )
+    standing, bodies = one.layered_body.in_plane if layered else (Standing.EXACT, HALF_PLANES)
+    repeated = "Equal strips repeat at the pitch without end. Far below the surface they act like a uniform pressure."
+    response = Note(Assumption.RESPONSE, standing, f"{bodies}. {repeated}", WAVES if layered else WESTERGAARD)
     if a == 0.0:
         apart = "The bodies do not touch under this load."
         return (*one.notes, response, Note(Assumption.EQUILIBRIUM, Standing.EXACT, apart, "the load is zero"))
@@ -97,7 +77,7 @@ def periodic_notes(bed: PeriodicBed, one: LineFoundation | LayeredLineFoundation
         text = "It was checked that each crest has one strip: no tension inside, no overlap outside."
         source = "a-posteriori check of pressure and separation, at sampled places"
         notes.append(Note(Assumption.SINGLE_CONTACT, Standing.EXACT, text, source))
-    return (*notes, *(yield_notes(bed, *strip) if layered else _yield_notes(bed, strip)))
+    return (*notes, *(line_yield_notes(bed, strip) if layered else _yield_notes(bed, strip)))
 
 
 def _yield_notes(bed: PeriodicBed, strip: Strip) -> tuple[Note, ...]:
@@ -107,20 +87,13 @@ def _yield_notes(bed: PeriodicBed, strip: Strip) -> tuple[Note, ...]:
     if is_sharp(bed.line, bed.line.rim, 0.0):
         text = "The elastic stress is infinite at a sharp crest or kink, which yields under any load."
         return (Note(Assumption.ELASTIC, Standing.APPROXIMATE, text, MISES),)
-    closed = in_closed_form(bed.profile)
-    found = []
+    closed, found = in_closed_form(bed.profile), []
     for part in parts:
         contact = LineContact(cast(LineFoundation, bed), *strip, part.solid.poisson, 0.0)
         place = greatest(contact, von_mises) if closed else _on_grid(contact)
-        found.append((place.value / part.solid.strength, place, part))
-    share, place, part = max(found, key=lambda one: one[0])
-    depth = place.z if part.first else -place.z
-    where = f"{share_of(share, part)}, at x = {place.x:.3g} m, z = {depth:.3g} m"
-    stays = "By von Mises' criterion the contact stays elastic: its greatest stress is"
-    has = "By von Mises' criterion yielding has begun: the greatest elastic stress is"
-    text = f"{stays} {where}." if share < 1.0 else f"{has} {where}; the result is not elastic."
-    elastic = Standing.EXACT if closed else Standing.APPROXIMATE
-    return (Note(Assumption.ELASTIC, elastic if share < 1.0 else Standing.OUTSIDE, text, MISES),)
+        found.append((place if part.first else place._replace(z=-place.z), part))
+    share, where = nearest_to_strength(found)
+    return (elastic_note(share, where, Standing.EXACT if closed else Standing.APPROXIMATE),)
 
 
 def _on_grid(contact: LineContact) -> Placed:

@@ -13,19 +13,19 @@ from winkler.numerics.equations.highest import highest
 from winkler.numerics.surfaces.found_strips import FoundStrips
 from winkler.numerics.types import Array
 from winkler.problems.line.greatest_stress import Placed
-from winkler.problems.line.layered_notes import WAVES
-from winkler.problems.line.validity import PALLOT
+from winkler.problems.line.validity import ENDS, HALF_PLANES, PALLOT, POWER_LAW, WAVES
+from winkler.problems.line.yield_statement import nearest_to_strength
 from winkler.problems.line_strips.strip_fields import LineMedium, layers_below, middle_of, strip_fields, strip_waves
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.normal.unknown_yield import MISES
 from winkler.problems.normal.validity import steepness_note
-from winkler.problems.normal.yield_statement import share_of
+from winkler.problems.normal.yield_statement import elastic_note
 from winkler.profiles.sections.section import Section
 from winkler.values.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["profile_notes"]
 
-HALF_PLANES = Standing.EXACT, "Homogeneous, linear elastic half-planes in plane strain under normal load"
+FINITE = "Effects of the ends of a body of finite length and thickness are neglected."
 FLAMANT = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 2.7, doi:10.1017/CBO9781139171731"
 FINE, COARSE = 0.02, 0.1
 """Change from half as many elements up to which results count as fine, and as coarse."""
@@ -49,16 +49,14 @@ def profile_notes(section: Section, medium: LineMedium, found: FoundStrips | Non
         The greatest `strip_error` of all loads.
     """
     layered = layers_below(medium)
-    standing, body = HALF_PLANES if layered is None else layered.response.first.in_plane
+    standing, body = (Standing.EXACT, HALF_PLANES) if layered is None else layered.response.first.in_plane
     source = FLAMANT if layered is None else WAVES
     if offers(medium, PowerOfDepth):
-        body, source = "Linear elastic bodies whose modulus follows one power of the depth, in plane strain", PALLOT
+        body, source = POWER_LAW, PALLOT
     response = Note(
         Assumption.RESPONSE,
         standing,
-        f"{body}. All strips interact. Effects of the ends of a body of finite length and thickness are neglected."
-        if layered is None
-        else f"{body}. All strips interact. Effects at the ends of a body of finite length are neglected.",
+        f"{body}. All strips interact. {ENDS if layered else FINITE}",
         source,
     )
     if offers(medium, PowerOfDepth):
@@ -112,26 +110,15 @@ def _yield_notes(medium: LineMedium, found: FoundStrips) -> tuple[Note, ...]:
     parts = strong_parts(medium)
     if not parts:
         return ()
-    places = [(_greatest(medium, found, part), part) for part in parts]
-    place, part = max(places, key=lambda one: one[0].value / one[1].solid.strength)
-    share = place.value / part.solid.strength
-    level, beyond = share_of(share, part), "" if share < 1.0 else ": the result is not elastic"
-    if _sharp(found):
-        text = (
-            "The elastic stress is infinite under a sharp crest or at a wall, which yields under the smallest load; "
-            f"{AWAY:g} half-widths below, the greatest von Mises stress is {level}{beyond}."
-        )
-        standing = Standing.APPROXIMATE
-    else:
-        depth = place.z if part.first else -place.z
-        where = f"{level}, at x = {place.x:.4g} m, z = {depth:.3g} m"
-        text = (
-            f"By von Mises' criterion the contact stays elastic: its greatest stress is {where}."
-            if share < 1.0
-            else f"By von Mises' criterion yielding has begun: the greatest elastic stress is {where}{beyond}."
-        )
-        standing = Standing.EXACT if found.refined else Standing.APPROXIMATE
-    return (Note(Assumption.ELASTIC, standing if share < 1.0 else Standing.OUTSIDE, text, MISES),)
+    share, where = nearest_to_strength((_greatest(medium, found, part), part) for part in parts)
+    if not _sharp(found):
+        return (elastic_note(share, where, Standing.EXACT if found.refined else Standing.APPROXIMATE),)
+    text = (
+        "The elastic stress is infinite under a sharp crest or at a wall, which yields under the smallest load; "
+        f"{AWAY:g} half-widths below, the greatest von Mises stress is {where}"
+        f"{'' if share < 1.0 else ': the result is not elastic'}."
+    )
+    return (Note(Assumption.ELASTIC, Standing.APPROXIMATE if share < 1.0 else Standing.OUTSIDE, text, MISES),)
 
 
 def _greatest(medium: LineMedium, found: FoundStrips, part: StrongPart) -> Placed:
@@ -160,4 +147,4 @@ def _greatest(medium: LineMedium, found: FoundStrips, part: StrongPart) -> Place
 
         top = highest(stress, [x, z])
         best = max(best, Placed(top.value, *top.place), key=lambda one: one.value)
-    return best
+    return best if part.first else best._replace(z=-best.z)

@@ -19,7 +19,7 @@ from winkler.numerics.surfaces.found_strips import FoundStrips
 from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.types import Array
 from winkler.problems.line.layered_stress import in_layers
-from winkler.problems.line.stress import InBody, LineFields, fields_of, poisson_of
+from winkler.problems.line.stress import LineFields, fields_of, poisson_of
 from winkler.values.errors import OutsideValidity
 
 __all__ = ["LineMedium", "layers_below", "middle_of", "response_below", "strip_fields", "strip_waves"]
@@ -85,15 +85,9 @@ def strip_fields(
     OutsideValidity
         If the body has no stresses that are known.
     """
-    if offers(medium, PowerOfDepth):
-        raise OutsideValidity(
-            "The stresses inside a GradedHalfSpace are not known to winkler; request the surface, or sample the "
-            "grading by the layers of a CoatedHalfSpace."
-        )
     layered = layers_below(medium)
     if layered is None:
-        body, deep = InBody(poisson_of(medium, below), friction), np.abs(z)
-        return dataclasses.replace(fields_of(x, deep, *found.potential(x, deep), body), z=z)
+        return dataclasses.replace(_fields(found, x, np.abs(z), poisson_of(medium, below), friction), z=z)
     if isinstance(layered.response.first, GradedBody):
         raise OutsideValidity(
             "Stresses below strips are known in layers and homogeneous bodies; in the place of the grading give a "
@@ -105,13 +99,19 @@ def strip_fields(
     middle = middle_of(found)
 
     def own(across: Array, deep: Array, poisson: float) -> LineFields:
-        place = across + middle
-        return fields_of(place, deep, *found.potential(place, deep), InBody(poisson, friction))
+        return _fields(found, across + middle, deep, poisson, friction)
 
     def waves_below(farthest: float) -> PlaneWaves:
         return strip_waves(layers, found, farthest) if waves is None else waves
 
     return dataclasses.replace(in_layers(layers, own, waves_below, x - middle, z, below, friction), x=x)
+
+
+def _fields(found: FoundStrips, x: Array, z: Array, poisson: float, friction: float) -> LineFields:
+    """Return the stresses below strips on half-planes, z >= 0."""
+    whole, slope = found.potential(x, z)
+    pressed = np.array([whole, z * slope])
+    return fields_of(x, z, pressed, poisson, friction * pressed if friction != 0.0 else None)
 
 
 def strip_waves(medium: LayerStack, found: FoundStrips, farthest: float) -> PlaneWaves:

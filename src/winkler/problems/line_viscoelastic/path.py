@@ -6,6 +6,7 @@ sinks without bound under a force per length.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Annotated
 
 import numpy as np
@@ -16,7 +17,7 @@ from winkler.values.errors import InvalidInput
 from winkler.values.limits import PATH_POINTS
 from winkler.values.value import value, words
 
-__all__ = ["LineForcePath"]
+__all__ = ["LineForcePath", "divided"]
 
 
 @value
@@ -81,16 +82,20 @@ class LineForcePath:
     def _divided(self) -> tuple[Array, Array]:
         time = self.time
         force = np.broadcast_to(np.asarray(self.force_per_length, dtype=float), time.shape)
-        parts = np.where(np.diff(time) > 0.0, self.count, 1)
-        low = np.repeat(np.arange(time.size - 1), parts)
-        ends = np.cumsum(parts)
-        share = (np.arange(low.size) + 1 - np.repeat(ends - parts, parts)) / np.repeat(parts, parts)
-        rows = []
-        for row in (time, force):
-            between = np.where(share == 1.0, row[low + 1], row[low] + share * (row[low + 1] - row[low]))
-            rows.append(np.concatenate([row[:1], between]))
+        rows = divided((time, force), np.where(np.diff(time) > 0.0, self.count, 1))
         begins = np.repeat(np.arange(self.cycles) * (time[-1] - time[0]), rows[0].size)
         moments, across = begins + np.tile(rows[0], self.cycles), np.tile(rows[1], self.cycles)
         again = (np.diff(moments) == 0.0) & (np.diff(across) == 0.0)  # where a cycle begins as the last one ended
         kept = np.append(True, ~again)
         return moments[kept], across[kept]
+
+
+def divided(rows: Sequence[Array], parts: Array) -> list[Array]:
+    """Return rows ``(n,)`` with points in between: the steps in so many equal parts ``(n - 1,)``."""
+    low = np.repeat(np.arange(parts.size), parts)
+    share = (np.arange(low.size) + 1 - np.repeat(np.cumsum(parts) - parts, parts)) / np.repeat(parts, parts)
+    found = []
+    for row in rows:  # what stays must stay the same number
+        between = np.where(share == 1.0, row[low + 1], row[low] + share * (row[low + 1] - row[low]))
+        found.append(np.append(row[:1], between))
+    return found

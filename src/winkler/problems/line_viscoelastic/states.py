@@ -18,12 +18,12 @@ from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.media.offers import offers
 from winkler.media.relaxing.by_waves import RelaxingByWaves
-from winkler.numerics.equations.highest import highest_of_curve
 from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.line.approach import Place
-from winkler.problems.line.peak_pressure import is_sharp
+from winkler.problems.line.peak_pressure import peak_pressure
 from winkler.problems.line.pressing_load import OfWidth
+from winkler.problems.line.stress import Strip
 from winkler.problems.line_viscoelastic.layered_strips import (
     elastic_line,
     layered_pressure,
@@ -87,11 +87,7 @@ class LineViscoelasticState(OfWidth[float]):
 
         Infinite at a sharp tip, kink or rim, and at the edge of a strip that widens on a dashpot alongside.
         """
-        if self.half_width == 0.0:
-            return 0.0
-        if is_sharp(self.bed, self.half_width, self.edge_load):
-            return np.inf
-        return highest_of_curve(self._pressures(), self.half_width)
+        return peak_pressure(self.bed, Strip(self.half_width, self.edge_load), self._pressures())
 
     def pressure(self, x: ArrayLike) -> Array:
         """Return the pressure [Pa], zero outside of the contact.

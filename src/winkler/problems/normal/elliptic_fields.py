@@ -5,14 +5,13 @@ from __future__ import annotations
 import math
 import numbers
 
-import numpy as np
-
+from winkler.foundation.sheared_fields import BodyFields
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
+from winkler.media.interior import tensor
 from winkler.media.interior.half_ellipsoid import greatest_in_half_ellipsoid, half_ellipsoid_stresses
 from winkler.media.interior.half_ellipsoid_displacement import half_ellipsoid_displacements
 from winkler.media.interior.peak import StressSpot
-from winkler.media.interior.tensor import measure_named, principal_of_tensor, von_mises_of_tensor
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.value import value, words
@@ -21,7 +20,7 @@ __all__ = ["EllipticFields", "below_ellipse", "greatest_below_ellipse", "solid_b
 
 
 @value
-class EllipticFields:
+class EllipticFields(BodyFields):
     """Stresses and displacements inside one body under an elliptic contact, in its own axes: z into the body.
 
     Parameters
@@ -40,43 +39,15 @@ class EllipticFields:
         principal_stresses=(r"\sigma_1, \sigma_2, \sigma_3", "Pa", "principal stresses, greatest first"),
     )
 
-    x: Array
-    y: Array
-    z: Array
-    xx_stress: Array
-    yy_stress: Array
-    zz_stress: Array
-    xy_stress: Array
-    xz_stress: Array
-    yz_stress: Array
-    x_displacement: Array
-    y_displacement: Array
-    z_displacement: Array
-
-    @property
-    def _tensor(self) -> tuple[Array, ...]:
-        return self.xx_stress, self.yy_stress, self.zz_stress, self.xy_stress, self.xz_stress, self.yz_stress
-
-    @property
-    def von_mises(self) -> Array:
-        """Equivalent stress after von Mises [Pa]."""
-        return von_mises_of_tensor(*self._tensor)
-
     @property
     def principal_stresses(self) -> Array:
         """Principal stresses [Pa], largest first, along a new last axis of length 3."""
-        return principal_of_tensor(*self._tensor)
-
-    @property
-    def max_shear(self) -> Array:
-        """Maximum shear stress [Pa], half the difference of the outermost principal stresses."""
-        principal = self.principal_stresses
-        return np.asarray(0.5 * (principal[..., 0] - principal[..., 2]))
+        return self.principal
 
     @property
     def orthogonal_shear(self) -> Array:
         """Shear stress in the plane along the surface [Pa], whatever its direction."""
-        return np.hypot(self.xz_stress, self.yz_stress)
+        return tensor.orthogonal_shear(self._stress)
 
 
 def traction_of(friction: float, angle: float) -> tuple[float, float]:
@@ -146,7 +117,7 @@ def greatest_below_ellipse(
     InvalidInput
         If there is no such measure.
     """
-    compared = measure_named(measure, "EllipticSolution")
+    compared = tensor.measure_named(measure, "EllipticSolution")
     a, b = semi_axis, slenderness * semi_axis
     mirror = 1.0 if traction >= (0.0, 0.0) else -1.0  # the opposite traction has its place mirrored in the axis
     rubbed = (mirror * traction[0] + 0.0, mirror * traction[1] + 0.0)

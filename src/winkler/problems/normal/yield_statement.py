@@ -30,7 +30,15 @@ from winkler.profiles.power import Paraboloid
 from winkler.values.errors import NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["FRICTIONLESS", "SurfaceFriction", "share_of", "slid_depth", "yield_notes", "yield_notes_of_bed"]
+__all__ = [
+    "FRICTIONLESS",
+    "SurfaceFriction",
+    "elastic_note",
+    "share_of",
+    "slid_depth",
+    "yield_notes",
+    "yield_notes_of_bed",
+]
 
 SACKFIELD = "A. Sackfield, D. A. Hills, J. Strain Anal. 18 (1983) 107-110, doi:10.1243/03093247V182107"
 HAMILTON = "G. M. Hamilton, Proc. Inst. Mech. Eng. C 197 (1983) 53, doi:10.1243/PIME_PROC_1983_197_076_02"
@@ -240,6 +248,31 @@ def _at_sharp(part: StrongPart, largest: GreatestStress, share: float, friction:
 def share_of(share: float, part: StrongPart) -> str:
     """Return a stress as a share or a multiple of the strength, for a sentence."""
     return f"{share:.3g} {'times' if share >= 1.0 else 'of'} the strength of the {part.name}"
+
+
+def elastic_note(share: float, where: str, standing: Standing, onset: str = "") -> Note:
+    """Return whether bodies stay elastic whose greatest stress is a share of a strength, stated with its place.
+
+    Parameters
+    ----------
+    share : float
+        Of the strength [-].
+    where : str
+        The stress as a share, and its place.
+    standing : Standing
+        If it is less than one.
+    onset : str
+        The load at which yielding begins, where that is known.
+    """
+    if share < 1.0:
+        begins = f"yielding begins at {onset}; " if onset else ""
+        text = f"By von Mises' criterion {begins}the contact stays elastic: its greatest stress is {where}."
+        return Note(Assumption.ELASTIC, standing, text, MISES)
+    began = f"began at {onset}" if onset else "has begun"
+    text = (
+        f"By von Mises' criterion yielding {began}: the greatest elastic stress is {where}; the result is not elastic."
+    )
+    return Note(Assumption.ELASTIC, Standing.OUTSIDE, text, MISES)
 
 
 def _signed(part: StrongPart, depth: float) -> float:

@@ -26,14 +26,14 @@ from winkler.numerics.surfaces.boxed_slender import Generator, SlenderContact, p
 from winkler.numerics.surfaces.pressed_slender import Pose
 from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import MAPPED
-from winkler.problems.line.greatest_stress import greatest, von_mises
-from winkler.problems.line.stress import LineContact
+from winkler.problems.line.layered_stress import greatest_in_part
+from winkler.problems.line.stress import Strip
+from winkler.problems.line.yield_statement import nearest_to_strength
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.unknown_yield import MISES, unknown_yield
 from winkler.problems.normal.validity import large_body_note, steepness_note
-from winkler.problems.normal.yield_statement import share_of
 from winkler.problems.pressed_shape.notes import PIXELS_ON_LAYERS, graded_notes
-from winkler.problems.rollers.roller_state import ROLLER_WORDS, RollerState
+from winkler.problems.rollers.roller_state import RollerNumbers, RollerState
 from winkler.profiles.power import Paraboloid
 from winkler.profiles.roller_ends import RollerEnds
 from winkler.values.checks.number_checks import Advice, Positive, Whole
@@ -240,7 +240,7 @@ DepthGradedHalfSpace or GradedHalfSpace
             numbers = np.array([getattr(state, name) for state in reached])
             return shaped(numbers, shape if whole else numbers.shape)
 
-        columns = {field.name: column(field.name) for field in dataclasses.fields(RollerSolution)[1:-1]}
+        columns = {field.name: column(field.name) for field in dataclasses.fields(RollerNumbers)}
         return RollerSolution(problem=self, **columns, last=reached[-1])
 
     def solve(self) -> RollerSolution[Q]:
@@ -255,33 +255,18 @@ DepthGradedHalfSpace or GradedHalfSpace
 
 
 @value
-class RollerSolution(PerLoad[Q]):
-    """The solution of a `RollerContact`; quantities have the shape of the load.
+class RollerSolution(RollerNumbers[Q]):
+    """The solution of a `RollerContact`; its numbers are those of `RollerNumbers`, in the shape of the load.
 
     Parameters
     ----------
     problem : RollerContact
         The problem that was solved.
-    depth, tilt, force, moment, stiffness, peak_pressure, middle_pressure, edge_factor, area, grid_error : float or \
-ndarray
-        As in `RollerState`.
     last : RollerState
         The contact under the last load, with its pressures.
     """
 
-    __words__ = ROLLER_WORDS
-
     problem: RollerContact[Q]
-    depth: Q
-    tilt: Q
-    force: Q
-    moment: Q
-    stiffness: Q
-    peak_pressure: Q
-    middle_pressure: Q
-    edge_factor: Q
-    area: Q
-    grid_error: Q
     last: RollerState
 
     @property
@@ -402,11 +387,8 @@ def _yield_notes(medium: MappedMedium, radius: float, peak: float, middle: float
         return ()
     bed = LineFoundation(Paraboloid(radius), medium)
     half_width = 2.0 * radius * pressure / medium.modulus
-    found = [greatest(LineContact(bed, half_width, 0.0, part.solid.poisson, 0.0), von_mises) for part in parts]
-    shares = [place.value / part.solid.strength for place, part in zip(found, parts, strict=True)]
-    worst = max(range(len(parts)), key=shares.__getitem__)
-    share = shares[worst]
-    where = f"{share_of(share, parts[worst])}, {found[worst].z:.3g} m below the surface"
+    strip = Strip(half_width, 0.0)
+    share, where = nearest_to_strength((greatest_in_part(bed, strip, part, 0.0), part) for part in parts)
     if sharp:
         text = f"A sharp end yields under any load; in the middle of the roller the von Mises stress is {where}"
     else:

@@ -2,52 +2,61 @@
 
 from __future__ import annotations
 
-from types import MappingProxyType
-
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, PerLoad, Q
 from winkler.values.value import value, words
 
-__all__ = ["ROLLER_WORDS", "RollerState"]
-
-ROLLER_WORDS = words(
-    depth=("d", "m", "approach of the bodies in the middle of the roller, since its middle would touch"),
-    tilt=(r"\theta", "rad", "tilt of the roller"),
-    stiffness=("k", "N/m", "incremental stiffness dF/dd at the stated tilt or moment"),
-    peak_pressure=("p_0", "Pa", "greatest pressure; infinite at sharp ends that bear"),
-)
-ALONG_WORDS = words(
-    edges=("x", "m", "ends of the elements along the roller"),
-    x=("x", "m", "places along the roller"),
-    y=("y", "m", "places across the roller"),
-    pressure_along=("p", "Pa", "greatest pressure across each slice of the roller"),
-    force_per_length=("q", "N/m", "force per length along the roller"),
-    half_width=("a", "m", "half-width of the contact along the roller"),
-    pressure=("p", "Pa", "pressure of each element"),
-)
+__all__ = ["RollerNumbers", "RollerState"]
 
 
 @value
-class RollerState:
-    """A roller under one load.
+class RollerNumbers(PerLoad[Q]):
+    """What a roller bears under one load, or under many.
 
     Parameters
     ----------
-    depth, tilt : float
+    depth, tilt : float or ndarray
         Approach in the middle [m], and tilt [rad], positive where it presses the end at positive x.
-    force, moment : float
+    force, moment : float or ndarray
         F [N] and M [N m] about the middle, positive where the end at positive x bears more.
-    stiffness : float
+    stiffness : float or ndarray
         dF/dd [N/m] at the stated tilt, or at the stated moment.
-    peak_pressure : float
+    peak_pressure : float or ndarray
         [Pa]; infinite where a sharp end bears.
-    middle_pressure : float
+    middle_pressure : float or ndarray
         [Pa], zero where the middle is out of contact.
-    edge_factor : float
+    edge_factor : float or ndarray
         The greatest pressure over that in the middle; infinite where a sharp end bears or the middle does not.
-    area : float
+    area : float or ndarray
         Of the contact [m^2].
-    grid_error : float
+    grid_error : float or ndarray
         The greatest relative change of force, depth, middle and greatest pressure from a grid of half as many elements.
+    """
+
+    __words__ = words(
+        depth=("d", "m", "approach of the bodies in the middle of the roller, since its middle would touch"),
+        tilt=(r"\theta", "rad", "tilt of the roller"),
+        stiffness=("k", "N/m", "incremental stiffness dF/dd at the stated tilt or moment"),
+        peak_pressure=("p_0", "Pa", "greatest pressure; infinite at sharp ends that bear"),
+    )
+
+    depth: Q
+    tilt: Q
+    force: Q
+    moment: Q
+    stiffness: Q
+    peak_pressure: Q
+    middle_pressure: Q
+    edge_factor: Q
+    area: Q
+    grid_error: Q
+
+
+@value
+class RollerState(RollerNumbers[float]):
+    """A roller under one load; its numbers are those of `RollerNumbers`.
+
+    Parameters
+    ----------
     edges : ndarray, (n + 1,)
         Ends of the elements along the roller [m].
     x, y : ndarray, (n,) and (m,)
@@ -60,18 +69,16 @@ class RollerState:
         Of each element [Pa].
     """
 
-    __words__ = MappingProxyType({**ROLLER_WORDS, **ALONG_WORDS})
+    __words__ = words(
+        edges=("x", "m", "ends of the elements along the roller"),
+        x=("x", "m", "places along the roller"),
+        y=("y", "m", "places across the roller"),
+        pressure_along=("p", "Pa", "greatest pressure across each slice of the roller"),
+        force_per_length=("q", "N/m", "force per length along the roller"),
+        half_width=("a", "m", "half-width of the contact along the roller"),
+        pressure=("p", "Pa", "pressure of each element"),
+    )
 
-    depth: float
-    tilt: float
-    force: float
-    moment: float
-    stiffness: float
-    peak_pressure: float
-    middle_pressure: float
-    edge_factor: float
-    area: float
-    grid_error: float
     edges: Array
     x: Array
     y: Array

@@ -16,19 +16,17 @@ from typing import ClassVar, NamedTuple
 
 import numpy as np
 
-from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.materials.elastic import Rigid
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior import tensor
 from winkler.media.layered.depth_response import solid_at
 from winkler.media.offers import GradedInDepth, LayerStack, offers
 from winkler.problems.assumptions.declared import PRESSED
-from winkler.problems.line.greatest_stress import greatest, in_strip
+from winkler.problems.line.greatest_stress import in_strip
 from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.problems.line.layered_stress import greatest_in_part
 from winkler.problems.line.peak_pressure import is_sharp, rim_load
-from winkler.problems.line.stress import LineContact
-from winkler.problems.line.strip import Strip
+from winkler.problems.line.stress import Strip
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
 from winkler.problems.normal.greatest_stress import greatest_stress
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
@@ -325,12 +323,8 @@ def _below_strip(contact: LineSolution) -> _Search:
         raise OutsideValidity("ContactStress: the stress below a sharp tip, kink or rim is infinite; round it off.")
 
     def find(part: StrongPart, measure: tensor.Measure) -> _Greatest:
-        if isinstance(bed, LayeredLineFoundation):
-            deep = greatest_in_part(bed, Strip(half_width, edge_load), part, 0.0, measure=in_strip(measure))
-            return _Greatest(deep.value, deep.z)
-        strip = LineContact(bed, half_width, edge_load, part.solid.poisson, 0.0)
-        deep = greatest(strip, in_strip(measure))
-        return _Greatest(deep.value, deep.z if part.first else -deep.z)
+        deep = greatest_in_part(bed, Strip(half_width, edge_load), part, 0.0, measure=in_strip(measure))
+        return _Greatest(deep.value, deep.z)
 
     return find
 

@@ -33,8 +33,8 @@ from winkler.loading.path import OnePositiveLineForce, OnePositiveLineSwing
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.assumptions.declared import WORN
-from winkler.problems.line.layered_strip import StressedOnLayers
-from winkler.problems.line.strip import Stressed, Strip
+from winkler.problems.line.stress import Strip
+from winkler.problems.line.strip import Stressed
 from winkler.problems.wear.line_validity import line_limiting_notes
 from winkler.problems.wear.stuck_core import stuck_core
 from winkler.values.checks.place_checks import finite_places
@@ -213,17 +213,6 @@ class LineLimitingSolution(Stressed):
         away = np.abs(finite_places("LineLimitingSolution.height", "x", x))
         return np.asarray(self.problem.bed.profile.height(away) + self.worn(away))
 
-    def pressure(self, x: ArrayLike) -> Array:
-        """Return the pressure in the end [Pa]: zero outside the stick zone, infinite at its edge.
-
-        Parameters
-        ----------
-        x : array_like
-            Places on the surface [m], on either side of the middle.
-        """
-        places = finite_places("LineLimitingSolution.pressure", "x", x)
-        return self.problem.bed.pressure(places, self.stick_half_width, self.excess_load)
-
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
@@ -233,5 +222,5 @@ class LineLimitingSolution(Stressed):
 
 
 @value
-class LayeredLineLimitingSolution(StressedOnLayers, LineLimitingSolution):
+class LayeredLineLimitingSolution(LineLimitingSolution):
     """The solution of a `LineLimitingProfile` on layers, with stresses in the layers."""
