@@ -105,6 +105,8 @@ class Kernel(Generic[P, R]):
         own += [(name, repr(row)) for name, row in numbers if isinstance(row, tuple)]
         parts = [code.co_code, code.co_consts, code.co_names, own, sorted(FAST_MATH_FLAGS), OPTIONS]
         called = [kernel.content for kernel in self._called.values()]
+        if self.instead is not None:
+            called += [name for name in self._called if name in self.instead.lists]
         return hashlib.sha256(repr((parts, called)).encode()).hexdigest()
 
     @functools.cached_property
@@ -147,6 +149,8 @@ class Kernel(Generic[P, R]):
         copy.__module__, copy.__qualname__ = source.__module__, source.__qualname__
         options = OPTIONS if counted else OPTIONS | {"_nrt": False}
         machine: Callable[P, R] = numba.njit(fastmath=set(FAST_MATH_FLAGS), **options)(copy)
+        if not counted:
+            machine.compile = _refusing_arrays(machine)  # type: ignore[attr-defined]
         if cached:
             with contextlib.suppress(RuntimeError, OSError):  # it finds no place after all: nothing is kept
                 machine.enable_caching()  # type: ignore[attr-defined]
@@ -156,6 +160,24 @@ class Kernel(Generic[P, R]):
     def __call__(self, *args: P.args, **kwargs: P.kwargs) -> R:
         """Run the kernel."""
         return self.machine(*args, **kwargs)
+
+
+def _refusing_arrays(machine: Any) -> Callable[[Any], Any]:
+    """Return what compiles a kernel in which nobody counts who refers to an array, so that it may return none."""
+    compiled_for = machine.compile
+
+    def compile_for(signature: Any) -> Any:
+        entry = compiled_for(signature)
+        for found in machine.overloads.values():
+            kind = found.signature.return_type
+            if found.target_context.data_model_manager[kind].contains_nrt_meminfo():
+                raise TypeError(
+                    f"the kernel {machine.__name__} returns {kind}, which holds an array, but is not among the `lists` "
+                    f"of its `Instead`; name it there, or let it write into an array that it is given."
+                )
+        return entry
+
+    return compile_for
 
 
 @functools.cache

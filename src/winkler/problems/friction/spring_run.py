@@ -105,10 +105,7 @@ class SingleSprings(PressedRow[SpringPlaces]):
 
     def straight(self) -> bool:
         """Return whether no step is bent by a prescribed force, so that whole blocks of steps go through one kernel."""
-        if self._unbent or not (self.driven or self.plain):
-            return self.driven or self.plain
-        steady, same = np.diff(self.own) == 0.0, np.all(np.diff(self.along, axis=0) == 0.0, axis=1)
-        return bool(np.all(self._straight(steady, same)))
+        return (self.driven or self.plain) and self.unbent(self.own, self.along)
 
     def fresh(self, depth: float) -> SpringPlaces:
         """Return springs that are pressed to a depth, and have not been moved."""

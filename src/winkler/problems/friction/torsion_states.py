@@ -13,7 +13,7 @@ from winkler.media.interior.twist_field import TwistBelow, twist_below
 from winkler.media.layered.wave_constants import twist_constants
 from winkler.media.twisting.surface import traction_on, turning_on
 from winkler.numerics.types import Array, ArrayLike
-from winkler.problems.ring_slip.torsion_pieces import TurnedTwist, TwistMemory, pieces_of
+from winkler.problems.ring_slip.torsion_pieces import TurnedTwist, TwistMemory
 from winkler.problems.round_march import RoundTwist
 from winkler.values.errors import OutsideValidity
 from winkler.values.value import value, words
@@ -60,7 +60,7 @@ class TwistedSprings:
     @property
     def radius(self) -> float:
         """Of the contact, a [m]."""
-        return self.memory.radius
+        return self.memory.press.radius
 
     @property
     def edge(self) -> float:
@@ -76,7 +76,7 @@ class TwistedSprings:
         if self.bound.logarithmic:
             ends = self.bound.panels.edges
             bends |= dict.fromkeys(ends[(ends > FIRST_SEAM * self.radius) & (ends < self.radius)].tolist(), 0.0)
-        for piece in pieces_of(self.memory):
+        for piece in self.memory.pieces:
             if piece.low > 0.0:
                 bends.setdefault(piece.low, 0.0)
             for b, strength in self.bed.kinks:
@@ -114,9 +114,9 @@ class TwistedSprings:
     def _read(self, x: Array, reading: Callable[[Array, Array], Array]) -> Array:
         x = np.asarray(x, dtype=float)
         result = np.zeros(x.shape)
-        inner = self.memory.record.edges[1:-1]
-        which = np.searchsorted(inner, x, side="right")
-        for index, piece in enumerate(pieces_of(self.memory)):
+        pieces = self.memory.pieces
+        which = np.searchsorted([piece.low for piece in pieces[1:]], x, side="right")
+        for index, piece in enumerate(pieces):
             here = which == index
             if here.any():
                 result[here] = reading(piece.values(self.bound), x[here])

@@ -178,10 +178,6 @@ class NormalCurves:
             self._curves[number] = normal_curve(self.bed, self.depth * SHALLOWER**-number)
         return self._curves[number]
 
-    def greatest(self) -> NormalCurve:
-        """Return the curve up to the greatest depth, known to rounding of its greatest values."""
-        return self._curves[0]
-
     def at(self, depth: float) -> tuple[float, float, float]:
         """Return as `NormalCurve.at`."""
         return self._of(depth).at(depth)
@@ -189,7 +185,7 @@ class NormalCurves:
     def many(self, depths: Array) -> dict[float, tuple[float, float, float]]:
         """Return K [N/m], F [N] and W [J] at those of many depths [m] that the greatest curve resolves."""
         resolved = np.unique(depths[depths * SHALLOWER >= self.depth])
-        curve = self.greatest()
+        curve = self._curves[0]
         rows = [curve.read(resolved, which).tolist() for which in range(3)]
         return dict(zip(resolved.tolist(), zip(*rows, strict=True), strict=True))
 

@@ -26,7 +26,7 @@ from winkler.problems.ring_slip.torsion_march import (
     trapezoid,
     unrounded,
 )
-from winkler.problems.ring_slip.torsion_pieces import TwistMemory, fresh, pieces_of
+from winkler.problems.ring_slip.torsion_pieces import TwistMemory, fresh
 from winkler.problems.row import CURVED_STEP_TOLERANCE, Reached, Row, follow, over
 
 __all__ = ["ANGLE_TOLERANCE", "RingGoal", "RingMemory", "RingPoint", "RingRow", "ring_points"]
@@ -102,7 +102,7 @@ class RingRow(Row[RingGoal, RingMemory]):
         """Return the springs after load and motion have changed in proportion, to a motion or to a load."""
         bound, memory = self.bound, state.memory
         press = unrounded(memory.press, goal.press)
-        change = press.level - memory.level
+        change = press.level - memory.press.level
         if not self.moved:
             step = step_to(bound, memory, press, goal.target, state.rate * change)
         else:
@@ -240,9 +240,8 @@ def _steady(
     yield from points
     if borne < len(targets):
         goals = [RingGoal(point, press, target) for point, target in enumerate(targets)]
-        ends = [RingMemory(point.memory.record, point.motion, 0.0, borne - 1, True) for point in points[-1:]]
-        last = [(borne - 1, goals[borne - 1], Reached(end, 0.0, 0.0)) for end in ends]
-        next(follow(RingRow(bound, goals, moved), goals[borne:], *last))  # refuses
+        row = RingRow(bound, goals, moved)
+        next(follow(row, goals[borne:], (borne - 1, goals[borne], row.begin(RingGoal(0, press, 0.0)))))  # refuses
 
 
 def _marched(
@@ -258,8 +257,8 @@ def _marched(
 
 def _stick_radius(memory: TwistMemory) -> float:
     """Return the radius up to which no spring is at the bound of the contact as it is."""
-    for piece in pieces_of(memory):
-        same = abs(piece.bound.level - memory.level) <= LEVEL_TOLERANCE * abs(memory.level)
+    for piece in memory.pieces:
+        same = abs(piece.bound.level - memory.press.level) <= LEVEL_TOLERANCE * abs(memory.press.level)
         if piece.side != 0.0 and piece.held == 0.0 and piece.entered == 0.0 and same:
             return piece.low
-    return memory.radius
+    return memory.press.radius

@@ -23,7 +23,7 @@ import numpy as np
 from winkler.foundation.torsion_bound import PressedState, TwistBound
 from winkler.numerics.panels.kink_panels import Sample
 from winkler.numerics.types import Array
-from winkler.problems.ring_slip.torsion_pieces import NO_CONTACT, TwistMemory, TwistPiece, pieces_of
+from winkler.problems.ring_slip.torsion_pieces import NO_CONTACT, TwistMemory, TwistPiece
 
 __all__ = ["TwistAhead", "TwistCut", "TwistMove", "TwistRing", "slid_along", "stuck_work"]
 
@@ -65,10 +65,7 @@ def _memory_of(press: PressedState, pieces: list[TwistPiece]) -> TwistMemory:
             merged[-1] = merged[-1]._replace(high=piece.high)
         else:
             merged.append(piece)
-    columns = list(zip(*merged, strict=True)) if merged else [(), (), (), (), (), ()]
-    edges = np.array([0.0, *columns[1]])
-    held, entered, sides = (np.array(column, dtype=float) for column in columns[2:5])
-    return TwistMemory(*press, edges, held, entered, sides, np.array(columns[5], dtype=float).reshape(-1, 3))
+    return TwistMemory(press, tuple(merged))
 
 
 class _Trial(NamedTuple):
@@ -105,7 +102,7 @@ class TwistAhead:
 
     def __init__(self, bound: TwistBound, memory: TwistMemory, press: PressedState) -> None:
         self.bound, self.memory, self.press = bound, memory, press
-        before, change = memory.press, press.level - memory.level
+        before, change = memory.press, press.level - memory.press.level
         self._rate = 1.0 / change if change > 0.0 else 0.0
         self._now = now = bound.at(press)
         self._slack = BOUND_ROUNDING * bound.panels.at(now, 0.5 * press.radius) if press.radius > 0.0 else 0.0
@@ -113,7 +110,7 @@ class TwistAhead:
         ones, inertia = np.ones_like(now), bound.panels.antiderivative(bound.weight)
         self._trials = [
             self._trial(piece._replace(high=min(piece.high, press.radius)), False, piece.values(bound), ones, inertia)
-            for piece in pieces_of(memory)
+            for piece in memory.pieces
             if piece.low < press.radius
         ]
         if press.radius > before.radius:
@@ -200,7 +197,7 @@ class TwistAhead:
             rings.append(
                 TwistRing(sample, sample.read(trial.values), sample.read(bound.clock), np.full(sample.x.shape, state))
             )
-        if press.radius < self.memory.radius:
+        if press.radius < self.memory.press.radius:
             rings += _left(bound, self.memory, press, twist)
         nested = _nested([(high - low, state) for _, low, high, state in cuts], press.radius)
         return TwistMove(_memory_of(press, done), tuple(rings), nested)
@@ -208,8 +205,8 @@ class TwistAhead:
 
 def stuck_work(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: float) -> float:
     """Return 4 G_t times the work of a move on the springs that end in contact, if none of them slid."""
-    total, before, change = 0.0, memory.radius, press.level - memory.level
-    for piece in pieces_of(memory):
+    total, before, change = 0.0, memory.press.radius, press.level - memory.press.level
+    for piece in memory.pieces:
         if piece.low < press.radius:
             sample = bound.panels.sample(piece.low, min(piece.high, press.radius))
             load = sample.read(piece.values(bound))
@@ -232,7 +229,7 @@ def slid_along(
     """
     if not rings:
         return 0.0, 0.0
-    start, end = memory.level, path[-1].level
+    start, end = memory.press.level, path[-1].level
     x, weights, counts = (
         np.concatenate(column)
         for column in zip(*((r.sample.x, r.sample.weights, bound.weigh(r.sample)) for r in rings), strict=True)
@@ -248,7 +245,7 @@ def slid_along(
     if bound.endless:
         lost = 0.5 * float(np.sum(weight * (before + twist * last) ** 2))
         return lost, float(np.sum(weight * twist * last * (before + 0.5 * twist * last)))
-    allowed = np.where(x < memory.radius, read(bound.at(memory.press)), 0.0)
+    allowed = np.where(x < memory.press.radius, read(bound.at(memory.press)), 0.0)
     load = displaced = side * before
     slid = np.maximum(load - allowed, 0.0)  # rounding
     density = np.zeros_like(x)
@@ -276,11 +273,11 @@ def slid_along(
 def _left(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: float) -> list[TwistRing]:
     """Return the springs that come out of contact."""
     rings = []
-    for piece in pieces_of(memory):
+    for piece in memory.pieces:
         if piece.high > press.radius:
             sample = bound.panels.sample(max(piece.low, press.radius), piece.high)
             clock, before = sample.read(bound.clock), sample.read(piece.values(bound))
-            last = np.clip((memory.level - clock) / (memory.level - press.level), 0.0, 1.0)
+            last = np.clip((memory.press.level - clock) / (memory.press.level - press.level), 0.0, 1.0)
             rings.append(TwistRing(sample, before, clock, np.where(before + twist * last >= 0.0, 1, -1)))
     return rings
 
