@@ -47,6 +47,8 @@ ROOM = 4096
 """Pieces for which a kernel has room at first."""
 WHOLE = {"side", "inner", "outer", "count", "stuck", "known"}
 """Columns of a stack that hold whole numbers."""
+ORDER = 2
+"""Of the errors of a step that is halved, as of `winkler.problems.row.Row`."""
 NEVER_MET = SlipState(-1, 0.0, 0.0, 0.0)
 """Springs of bodies that have not met."""
 
@@ -61,7 +63,7 @@ class PressedRow(Row[SlipGoal, State]):
     path : Path
     """
 
-    order: int | None = 2
+    order: int | None = ORDER
     curves, bends = True, False
     """Whether steps are halved where a prescribed force bends them; whether a shear force bends them in itself."""
 
@@ -129,7 +131,7 @@ class SlipRow(PressedRow[SlipState]):
         stiffness, _, _ = self.sums.at(deepest)
         self._allow(ratio * stiffness, self.beta * deepest if deepest > 0.0 else 0.0)
         self.pieces = SlipPieces()
-        numbers = self.beta, ratio, coefficient, self.driven, self.pressed, self.bends, *self.allowed, 2
+        numbers = self.beta, ratio, coefficient, self.driven, self.pressed, *self.allowed
         self.cells = SlipCells(self.pieces.sums_of(self.sums), self.sums, *numbers)
         self._table: PanelTable | None = None
         effort = (1 if self.driven else SOUGHT) if self.unbent(depths, path.along) else HALVED
@@ -244,7 +246,7 @@ def _themselves(cells: SlipCells) -> SlipCells:
 
 
 def _slip_order(cells: SlipCells) -> int:
-    return cells.order
+    return ORDER
 
 
 def _no_room(stack: SlipStack) -> None:

@@ -21,6 +21,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.foundation.torsion_bound import PressedState, TwistBound
+from winkler.numerics.equations.roots import between
 from winkler.numerics.panels.kink_panels import Sample
 from winkler.numerics.types import Array
 from winkler.problems.ring_slip.torsion_pieces import NO_CONTACT, TwistMemory, TwistPiece
@@ -33,8 +34,6 @@ NARROWEST_RING = 1e-9
 """A ring narrower than this part of the contact is none."""
 CHUNK = 256
 """Points of a path whose bounds are held at once."""
-BISECTIONS = 60
-"""At most so many, of the places where sliding begins."""
 
 
 class TwistRing(NamedTuple):
@@ -284,32 +283,11 @@ def _left(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: fl
 
 def _meet(bound: TwistBound, excess: Array, low: float, high: float, rising: bool) -> float:
     """Return where a load meets its bound between two places."""
-    sign = 1.0 if rising else -1.0
-
-    over = bound.panels.reader(sign * excess)
-
+    over = bound.panels.reader(excess if rising else -excess)
     left, right = over(low), over(high)
     if left >= 0.0:
         return low
-    if right <= 0.0:
-        return high
-    last_side = 0
-    for _ in range(BISECTIONS):  # the rule of false position, halving the end that stays (Illinois)
-        middle = low - left * (high - low) / (right - left)
-        if not low < middle < high or high - low <= 1e-15 * high:
-            break
-        middle_value = over(middle)
-        if middle_value == 0.0:
-            return middle
-        if middle_value < 0.0:
-            low, left = middle, middle_value
-            right = 0.5 * right if last_side < 0 else right
-            last_side = -1
-        else:
-            high, right = middle, middle_value
-            left = 0.5 * left if last_side > 0 else left
-            last_side = 1
-    return low if -left < right else high
+    return high if right <= 0.0 else between(over, low, high)
 
 
 def _nested(states: list[tuple[float, int]], radius: float) -> bool:
