@@ -46,6 +46,8 @@ re-association depends on what is around, last digits then differ between a firs
 """
 GLOBAL_KINDS = int, float, np.ndarray
 """What a kernel may read from its module."""
+COMPILED_NOW: list[bool] = []
+"""Of kernels that are being compiled, each for the one before: whether references to arrays are counted in it."""
 LOG = logging.getLogger(__name__)
 
 
@@ -149,8 +151,7 @@ class Kernel(Generic[P, R]):
         copy.__module__, copy.__qualname__ = source.__module__, source.__qualname__
         options = OPTIONS if counted else OPTIONS | {"_nrt": False}
         machine: Callable[P, R] = numba.njit(fastmath=set(FAST_MATH_FLAGS), **options)(copy)
-        if not counted:
-            machine.compile = _refusing_arrays(machine)  # type: ignore[attr-defined]
+        _watch(machine, counted)
         if cached:
             with contextlib.suppress(RuntimeError, OSError):  # it finds no place after all: nothing is kept
                 machine.enable_caching()  # type: ignore[attr-defined]
@@ -162,22 +163,30 @@ class Kernel(Generic[P, R]):
         return self.machine(*args, **kwargs)
 
 
-def _refusing_arrays(machine: Any) -> Callable[[Any], Any]:
-    """Return what compiles a kernel in which nobody counts who refers to an array, so that it may return none."""
-    compiled_for = machine.compile
+def _watch(machine: Any, counted: bool) -> None:
+    """Let a kernel that counts who refers to an array call no other that does not count and returns one."""
+    compile_plainly, called_plainly = machine.compile, machine.get_call_template
 
-    def compile_for(signature: Any) -> Any:
-        entry = compiled_for(signature)
-        for found in machine.overloads.values():
-            kind = found.signature.return_type
-            if found.target_context.data_model_manager[kind].contains_nrt_meminfo():
-                raise TypeError(
-                    f"the kernel {machine.__name__} returns {kind}, which holds an array, but is not among the `lists` "
-                    f"of its `Instead`; name it there, or let it write into an array that it is given."
-                )
-        return entry
+    def compile_watched(signature: Any) -> Any:
+        COMPILED_NOW.append(counted)
+        try:
+            return compile_plainly(signature)
+        finally:
+            COMPILED_NOW.pop()
 
-    return compile_for
+    def called(args: Any, kws: Any) -> Any:
+        template = called_plainly(args, kws)
+        if not counted and COMPILED_NOW and COMPILED_NOW[-1]:
+            for found in machine.overloads.values():
+                kind = found.signature.return_type
+                if found.target_context.data_model_manager[kind].contains_nrt_meminfo():
+                    raise TypeError(
+                        f"the kernel {machine.__name__} returns {kind}, which holds an array, but is not among the "
+                        "`lists` of its `Instead`; name it there, or let it write into an array that it is given."
+                    )
+        return template
+
+    machine.compile, machine.get_call_template = compile_watched, called
 
 
 @functools.cache

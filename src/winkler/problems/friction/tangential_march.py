@@ -35,8 +35,6 @@ from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["PressedRow", "SlipRow"]
 
-MANY = 20
-"""Points of a path from which on their depths are solved at once."""
 UNTOUCHED_DEPTH = 1e-9
 """Depth [m] to which the normal curve is made for bodies that never touch, and never evaluated."""
 LONG = 5000
@@ -76,14 +74,19 @@ class PressedRow(Row[SlipGoal, State]):
         size = min(most, self.greatest if self.driven or stiffness == 0.0 else self.greatest / stiffness)
         self.allowed = CURVED_STEP_TOLERANCE * size, CURVED_STEP_TOLERANCE * stiffness * size**2
 
+    @property
+    def _never_bent(self) -> bool:
+        return not self.curves or (self.driven and self.pressed)
+
     def _straight(self, steady: Any, same: Any) -> Any:
         """Return whether steps are straight, under a steady depth or not, to the same load along the surface or not."""
         # with no change of shift it does not matter when the depth changes
-        unbent = not self.curves or (self.driven and self.pressed)
-        return unbent | (steady & (self.driven or not self.bends)) | ((steady | self.driven) & same)
+        return (steady & (self.driven or not self.bends)) | ((steady | self.driven) & same)
 
     def unbent(self, depths: Array, along: Array) -> bool:
         """Return whether no step is bent, of depths ``(n,)`` and what is prescribed along ``(n, ...)``."""
+        if self._never_bent:
+            return True
         same = np.all(np.diff(along.reshape(depths.size, -1), axis=0) == 0.0, axis=1)
         return bool(np.all(self._straight(np.diff(depths) == 0.0, same)))
 
@@ -93,7 +96,7 @@ class PressedRow(Row[SlipGoal, State]):
 
     def halfway(self, state: State, start: SlipGoal, goal: SlipGoal) -> SlipGoal | None:
         """Return what is prescribed at the middle of the depths."""
-        if self._straight(start.depth == goal.depth, np.all(start.along == goal.along)):
+        if self._never_bent or self._straight(start.depth == goal.depth, np.all(start.along == goal.along)):
             return None
         return middle_goal(self, start, goal)
 
@@ -126,16 +129,17 @@ class SlipRow(PressedRow[SlipState]):
         self.goals = [SlipGoal(*goal) for goal in zip(*pressed, strict=True)]
         deepest = max(0.0, *(goal.depth for goal in self.goals))
         self._curves = NormalCurves(bed, deepest if deepest > 0.0 else UNTOUCHED_DEPTH)
-        depths = np.atleast_1d(contact.depth)
-        self.sums = SlipSums(self._curves, self._curves.many(depths) if deepest > 0.0 and depths.size >= MANY else None)
+        self.sums = SlipSums(self._curves)
         stiffness, _, _ = self.sums.at(deepest)
         self._allow(ratio * stiffness, self.beta * deepest if deepest > 0.0 else 0.0)
         self.pieces = SlipPieces()
         numbers = self.beta, ratio, coefficient, self.driven, self.pressed, *self.allowed
         self.cells = SlipCells(self.pieces.sums_of(self.sums), self.sums, *numbers)
         self._table: PanelTable | None = None
-        effort = (1 if self.driven else SOUGHT) if self.unbent(depths, path.along) else HALVED
-        if effort * len(self.goals) >= LONG:
+        count = len(self.goals)
+        if HALVED * count >= LONG and not self.unbent(np.asarray(contact.depth), path.along):
+            count *= HALVED
+        if (count if self.driven else SOUGHT * count) >= LONG:
             self._table, self.pieces.columns = panel_table(self._curves, 1), arrays_of(self.pieces.columns)
             self.cells = self.cells._replace(stack=self.pieces.columns)
 
