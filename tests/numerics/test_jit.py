@@ -73,6 +73,26 @@ def test_what_it_calls_may_be_another_function(missing, monkeypatch):
     assert cubes.content != squares.content
 
 
+@compiled
+def given(numbers: np.ndarray) -> tuple[np.ndarray, float]:
+    return numbers, 2.0
+
+
+@compiled
+def first_given(numbers: np.ndarray) -> float:
+    row, factor = given(numbers)
+    return factor * row[0]
+
+
+def test_a_kernel_that_returns_an_array_is_named_or_refused():
+    """Unnamed, nobody would count who refers to it: the process could end without a word."""
+    pytest.importorskip("numba")
+    numbers = np.array([3.0, 4.0])
+    assert Instead({}, ("given",)).kernel(first_given.function)(numbers) == 6.0
+    with pytest.raises(TypeError, match=r"the kernel given returns .*array.*`lists` of its `Instead`; name it there"):
+        Instead({}).kernel(first_given.function)(numbers)
+
+
 TABLE = np.array([1.0, 10.0])
 
 

@@ -46,6 +46,8 @@ re-association depends on what is around, last digits then differ between a firs
 """
 GLOBAL_KINDS = int, float, np.ndarray
 """What a kernel may read from its module."""
+COMPILED_NOW: list[bool] = []
+"""Of kernels that are being compiled, each for the one before: whether references to arrays are counted in it."""
 LOG = logging.getLogger(__name__)
 
 
@@ -105,6 +107,8 @@ class Kernel(Generic[P, R]):
         own += [(name, repr(row)) for name, row in numbers if isinstance(row, tuple)]
         parts = [code.co_code, code.co_consts, code.co_names, own, sorted(FAST_MATH_FLAGS), OPTIONS]
         called = [kernel.content for kernel in self._called.values()]
+        if self.instead is not None:
+            called += [name for name in self._called if name in self.instead.lists]
         return hashlib.sha256(repr((parts, called)).encode()).hexdigest()
 
     @functools.cached_property
@@ -147,6 +151,7 @@ class Kernel(Generic[P, R]):
         copy.__module__, copy.__qualname__ = source.__module__, source.__qualname__
         options = OPTIONS if counted else OPTIONS | {"_nrt": False}
         machine: Callable[P, R] = numba.njit(fastmath=set(FAST_MATH_FLAGS), **options)(copy)
+        _watch(machine, counted)
         if cached:
             with contextlib.suppress(RuntimeError, OSError):  # it finds no place after all: nothing is kept
                 machine.enable_caching()  # type: ignore[attr-defined]
@@ -156,6 +161,32 @@ class Kernel(Generic[P, R]):
     def __call__(self, *args: P.args, **kwargs: P.kwargs) -> R:
         """Run the kernel."""
         return self.machine(*args, **kwargs)
+
+
+def _watch(machine: Any, counted: bool) -> None:
+    """Let a kernel that counts who refers to an array call no other that does not count and returns one."""
+    compile_plainly, called_plainly = machine.compile, machine.get_call_template
+
+    def compile_watched(signature: Any) -> Any:
+        COMPILED_NOW.append(counted)
+        try:
+            return compile_plainly(signature)
+        finally:
+            COMPILED_NOW.pop()
+
+    def called(args: Any, kws: Any) -> Any:
+        template = called_plainly(args, kws)
+        if not counted and COMPILED_NOW and COMPILED_NOW[-1]:
+            for found in machine.overloads.values():
+                kind = found.signature.return_type
+                if found.target_context.data_model_manager[kind].contains_nrt_meminfo():
+                    raise TypeError(
+                        f"the kernel {machine.__name__} returns {kind}, which holds an array, but is not among the "
+                        "`lists` of its `Instead`; name it there, or let it write into an array that it is given."
+                    )
+        return template
+
+    machine.compile, machine.get_call_template = compile_watched, called
 
 
 @functools.cache

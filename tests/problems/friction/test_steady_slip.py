@@ -11,7 +11,7 @@ from winkler.problems.ring_slip.play import followed
 from winkler.problems.ring_slip.push_bound import push_bound
 from winkler.problems.ring_slip.steady_path import steady_points
 from winkler.problems.ring_slip.torsion_march import square, step_to, torque_of, torsion_step
-from winkler.problems.ring_slip.torsion_pieces import fresh
+from winkler.problems.ring_slip.torsion_pieces import TwistMemory, fresh
 
 MU, D = 0.3, 0.01
 LAYER = wk.Layer(wk.Elastic(1.0, 0.3), 0.1)
@@ -57,8 +57,8 @@ def test_turning_points_as_the_march_of_the_springs(bound_of, ratio):
         step = torsion_step(bound, memory, press, value - motion)
         memory, motion, lost, work = step.memory, value, lost + step.loss, work + step.work
         assert point.load == pytest.approx(torque_of(bound, memory), abs=1e-12 * most)
-        assert point.load == pytest.approx(torque_of(bound, point.memory.record), abs=1e-12 * most)
-        got = (point.work, point.lost, point.stored, square(bound, point.memory.record))
+        assert point.load == pytest.approx(torque_of(bound, TwistMemory(press, point.memory.pieces)), abs=1e-12 * most)
+        got = (point.work, point.lost, point.stored, square(bound, TwistMemory(press, point.memory.pieces)))
         assert got == pytest.approx((work, lost, square(bound, memory), point.stored), abs=1e-12 * whole)
     back = steady_points(bound, press, [point.load for point in found], by_load=True)
     np.testing.assert_allclose([point.motion for point in back], values, atol=1e-11 * np.max(values))

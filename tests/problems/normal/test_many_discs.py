@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.numerics.equations.roots import bracketed
+from winkler.numerics.equations.bracketing import between
 from winkler.problems.normal.single_contact import refuse_unless_disc
 
 HALF = wk.HalfSpace.between(wk.Elastic(1.0, 0.3))
@@ -76,11 +76,11 @@ def test_roots_in_brackets():
     def miss(x, which):
         return x ** powers[which] - wanted[which]
 
-    result = bracketed(miss, np.zeros(5), np.full(5, 2.0))
+    result = between(miss, np.zeros(5), np.full(5, 2.0))
     np.testing.assert_allclose(result, wanted ** (1.0 / powers), rtol=4e-15)
-    jump = bracketed(lambda x, _: np.sign(x - 0.3) / np.sqrt(np.abs(x - 0.3) + 1e-300), np.zeros(1), np.ones(1))
+    jump = between(lambda x, _: np.sign(x - 0.3) / np.sqrt(np.abs(x - 0.3) + 1e-300), np.zeros(1), np.ones(1))
     assert jump[0] == pytest.approx(0.3, rel=1e-15)
-    assert bracketed(miss, np.zeros(0), np.zeros(0)).size == 0
+    assert between(miss, np.zeros(0), np.zeros(0)).size == 0
 
 
 @pytest.mark.parametrize("kind", [wk.Force, wk.Depth])

@@ -1,4 +1,4 @@
-"""Inversion of rising functions, for many targets at once, roots in brackets, one or many, and where to begin."""
+"""Inversion of rising functions, for many targets at once, one root in a bracket, and where to begin."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged, WinklerError
 
-__all__ = ["between", "bracketed", "by_blocks", "invert", "rough_root"]
+__all__ = ["between", "by_blocks", "invert", "rough_root"]
 
 MOST_ITERATIONS = 200
 USUAL_ITERATIONS = 10
@@ -167,46 +167,6 @@ def _middle(low: Array, high: Array, lower: float) -> Array:
     middle = lower + np.where(far > 4.0 * near, geometric, arithmetic)
     # beside `lower` the geometric middle may round to it
     return np.where((middle > low) & (middle < high), middle, lower + arithmetic)
-
-
-def bracketed(function: Callable[[Array, Array], Array], low: Array, high: Array) -> Array:
-    """Return roots of many functions at once, each to rounding, by Chandrupatla's method.
-
-    Parameters
-    ----------
-    function
-        Takes places ``(n,)`` and the indices of the brackets ``(n,)`` they lie in, returns values ``(n,)``.
-    low, high : ndarray, (m,)
-        Ends of the brackets, where the function has different signs or vanishes.
-
-    References
-    ----------
-    T. R. Chandrupatla, Adv. Eng. Softw. 28 (1997) 145-149, doi:10.1016/S0965-9978(96)00051-8
-    """
-    result, open_ = np.array(low, dtype=float), np.arange(low.size)
-    a, b, c = (np.array(x, dtype=float) for x in (high, low, high))
-    fa, fb = function(a, open_), function(b, open_)
-    fc, share = fa.copy(), np.full(a.shape, 0.5)
-    for _ in range(MOST_ITERATIONS if open_.size else 0):
-        x = a + share * (b - a)
-        value = function(x, open_)
-        same = np.sign(value) == np.sign(fa)
-        b, fb, c, fc = np.where(same, b, a), np.where(same, fb, fa), np.where(same, a, b), np.where(same, fa, fb)
-        a, fa = x, value
-        best = np.where(np.abs(fb) < np.abs(fa), b, a)
-        result[open_] = best
-        going = (np.minimum(np.abs(fa), np.abs(fb)) > 0.0) & (np.abs(b - a) > 4e-16 * np.abs(best))
-        if not going.any():
-            break
-        open_ = open_[going]
-        a, b, c, fa, fb, fc = (item[going] for item in (a, b, c, fa, fb, fc))
-        with np.errstate(all="ignore"):
-            xi, phi, far = (a - b) / (c - b), (fa - fb) / (fc - fb), (c - a) / (b - a)
-            inverse = fa / (fb - fa) * fc / (fb - fc) + far * fa / (fc - fa) * fb / (fc - fb)
-            smooth = (phi**2 < xi) & ((1.0 - phi) ** 2 < 1.0 - xi) & np.isfinite(inverse)
-        least = np.minimum(4e-16 * np.abs(a) / np.abs(b - a), 0.5)
-        share = np.clip(np.where(smooth, inverse, 0.5), least, 1.0 - least)
-    return result
 
 
 def between(

@@ -203,23 +203,24 @@ class BimodalDamping(PerLoad[Q]):
         ratio, table = 1.0, None
         if not math.isinf(self.law.coefficient):
             ratio, table = sliding_springs("BimodalDamping", self.bed, self.law.coefficient, radius, self.method)
-        pushed, ahead = np.broadcast_arrays(
-            np.asarray(self.shift_amplitude, dtype=float), np.asarray(self.phase, dtype=float)
-        )
-        pairs = zip(pushed.ravel().tolist(), ahead.ravel().tolist(), strict=True)
+        shape, pairs = self._pairs
         if table is None:
             edges = self._edges(lowest, radius)
             loss = np.array([self._lost(ratio, edges, a, p) for a, p in pairs])
         else:
-            loss = self._worn(table, list(pairs))
-        lost: Q = shaped(loss, pushed.shape)
-        return BimodalDampingSolution(self, deepest, 0.0, lost, lost, shaped(np.zeros(pushed.shape)), 0.0)
+            loss = self._worn(table, pairs)
+        lost: Q = shaped(loss, shape)
+        return BimodalDampingSolution(self, deepest, 0.0, lost, lost, shaped(np.zeros(shape)), 0.0)
+
+    @property
+    def _pairs(self) -> tuple[tuple[int, ...], list[tuple[float, float]]]:
+        """The shape of what is asked for, and each amplitude [m] with its phase [rad]."""
+        amplitude, phase = np.broadcast_arrays(self.shift_amplitude, self.phase)
+        return amplitude.shape, list(zip(amplitude.ravel().tolist(), phase.ravel().tolist(), strict=True))
 
     def _relaxing(self) -> BimodalDampingSolution[Q]:
         """Return the loss of every closed cycle of bodies that relax."""
-        pushed, ahead = np.broadcast_arrays(
-            np.asarray(self.shift_amplitude, dtype=float), np.asarray(self.phase, dtype=float)
-        )
+        shape, pairs = self._pairs
 
         def cycle(amplitude: float, phase: float) -> SteadyCycle:
             swing = Swing(
@@ -228,16 +229,12 @@ class BimodalDamping(PerLoad[Q]):
             )  # fmt: skip
             return steady_cycle("BimodalDamping", self.bed, self.law, swing, self.count, self.tolerance)
 
-        cycles = [cycle(*pair) for pair in zip(pushed.ravel().tolist(), ahead.ravel().tolist(), strict=True)]
+        cycles = [cycle(*pair) for pair in pairs]
         any_cycle = cycles[0] if cycles else cycle(0.0, 0.0)
-        numbers = np.reshape([(each.loss, each.friction, each.bulk) for each in cycles], (pushed.size, 3))
-        whole, rubbed, inside = numbers.T
-        lost: Q = shaped(whole, pushed.shape)
+        numbers = np.reshape([(each.loss, each.friction, each.bulk) for each in cycles], (len(pairs), 3))
+        columns: list[Q] = [shaped(each, shape) for each in numbers.T]
         change = max((each.change for each in cycles), default=0.0)
-        return BimodalDampingSolution(
-            self, any_cycle.contact, change, lost, shaped(rubbed, pushed.shape), shaped(inside, pushed.shape),
-            any_cycle.pressing,
-        )  # fmt: skip
+        return BimodalDampingSolution(self, any_cycle.contact, change, *columns, any_cycle.pressing)
 
     def path(self, phase: float, shift_amplitude: float, cycles: int = 2, count: int = 200) -> Path:
         """Return the motion as a path of straight pieces, for `Tangential`; its time counts closed cycles.

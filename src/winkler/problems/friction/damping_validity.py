@@ -8,6 +8,7 @@ from winkler.foundation.bed import Bed
 from winkler.problems.assumptions.coupling import sticking_note
 from winkler.problems.assumptions.direction import direction_notes
 from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
+from winkler.problems.ring_slip.moving_notes import STUCK
 from winkler.problems.ring_slip.push_bound import push_bound
 from winkler.problems.ring_slip.push_notes import push_note, tables_note
 from winkler.values.validity import Assumption, Note, Standing
@@ -67,13 +68,7 @@ def damping_notes(bed: Bed, radius: float, coefficient: float, rings: bool = Fal
             JAEGER,
         )
     elif math.isinf(coefficient):
-        alone = Note(
-            Assumption.SLIP,
-            Standing.EXACT,
-            "Nothing slips. The stiffness of the springs is the derivative of the no-slip stiffness k_x(a) of a "
-            "disc with respect to its radius. A spring that leaves the contact loses its tangential load.",
-            "superposition of discs of all radii, each moved along the surface as a whole",
-        )
+        alone = STUCK
     else:
         alone = Note(
             Assumption.SLIP,

@@ -12,11 +12,9 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from winkler.foundation.bed import Bed, PressedSprings
+from winkler.foundation.bed import Bed
 from winkler.foundation.sheared_fields import BodyFields, ShearedFields, body_of_pressed, body_under
-from winkler.foundation.torsion_bound import TwistBound
 from winkler.laws.friction import Coulomb
-from winkler.loading.loads import Depth
 from winkler.loading.path import Path
 from winkler.media.interior.twist_field import clean_slope
 from winkler.media.layered import coated_load
@@ -24,13 +22,13 @@ from winkler.media.medium import Medium
 from winkler.media.twisting.surface import summed_discs, table_rounding
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.assumptions.coupling import sticking_note
-from winkler.problems.friction.torsion_states import TwistedSprings
 from winkler.problems.normal.validity import indentation_notes
 from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.problems.ring_slip.push_bound import push_bound, pushed_body
 from winkler.problems.ring_slip.push_notes import push_note, tables_note
 from winkler.problems.ring_slip.ring_notes import ring_notes
 from winkler.problems.ring_slip.ring_path import ring_points
+from winkler.problems.ring_slip.ring_states import RingState, TwistedSprings
 from winkler.problems.round_march import RoundSlip
 from winkler.values.validity import Note
 from winkler.values.value import value, words
@@ -45,10 +43,7 @@ PATH_SAMPLES, RADIUS_SAMPLES = 6, 25
 class PushedSprings(TwistedSprings):
     """The springs of a pushed contact: what `TwistedSprings` holds, h = G* u in place of 8 G_t phi."""
 
-    @property
-    def bound(self) -> TwistBound:
-        """What they bear at most."""
-        return push_bound(self.bed, self.coefficient, self.widest, self.forced)
+    bound_of = staticmethod(push_bound)
 
     def displacement(self, r: Array) -> Array:
         """Return u_x(r) [m] of both surfaces together, inside and outside the contact."""
@@ -117,33 +112,17 @@ class MovedSprings:
 
 
 @value
-class PushedState(RoundSlip[float]):
-    """A pushed contact on layers, or a grading, at one moment; its numbers are those of `RoundSlip`.
+class PushedState(RingState, RoundSlip[float]):
+    """A pushed contact on layers, or a grading, at one moment; its numbers are those of `RoundSlip` and `RingState`.
 
     Parameters
     ----------
     stick_radius : float
         c [m]: rings within stick; a where all do, zero where the bodies slide or are apart.
-    nested : bool
-        Whether all that slid in the step was one outer ring, and slid to one side.
-    springs : PushedSprings
-        Their load.
     """
 
     stick_radius: float
-    nested: bool
     springs: PushedSprings
-
-    def traction(self, r: ArrayLike) -> Array:
-        """Return the traction tau(r) [Pa] along the motion, of the sign of the shear force; zero outside the contact.
-
-        Parameters
-        ----------
-        r : array_like
-            Distance from the axis [m], not negative.
-        """
-        r = np.asarray(r, dtype=float)
-        return self.springs.traction(r) if self.radius > 0.0 else np.zeros(r.shape)
 
     def slip(self, r: ArrayLike) -> Array:
         """Return how far the surfaces stand displaced against each other [m], mean over the circle.
@@ -167,10 +146,6 @@ class PushedState(RoundSlip[float]):
     def medium(self) -> Medium:
         """The bodies."""
         return self.springs.bed.medium
-
-    @property
-    def _pressed(self) -> PressedSprings:
-        return PressedSprings(self.springs.bed, self.depth, self.radius)
 
     def sharp_places(self) -> tuple[float, ...]:
         """Return distances from the axis at which stresses on the surface are infinite [m]."""
@@ -227,11 +202,9 @@ def pushed_states(bed: Bed, coefficient: float, path: Path) -> Iterator[PushedSt
     NotConverged
         If a step is too long for the shift or the loss to settle.
     """
-    forced = not isinstance(path.normal, Depth)
-    for normal, at, _, bound in ring_points(bed, coefficient, path, pushed_body(bed).shear_modulus, push_bound):
-        springs = PushedSprings(bed, coefficient, bound.widest, forced, at.memory)
+    for normal, at, _, springs in ring_points(bed, coefficient, path, pushed_body(bed).shear_modulus, PushedSprings):
         energies = at.work, at.stored, at.lost
-        yield PushedState(*normal, at.motion, at.load, *energies, at.stick_radius, at.nested, springs)
+        yield PushedState(*normal, at.motion, at.load, *energies, at.nested, springs, at.stick_radius)
 
 
 def pushed_notes(bed: Bed, law: Coulomb, states: Sequence[PushedState], by_force: bool) -> Iterator[Note]:

@@ -121,7 +121,6 @@ class SlipMemory:
         left=("u_t", "m", "displacement of the springs where a piece begins"),
         right=("u_t", "m", "displacement of the springs where a piece ends"),
         on_axis=("u_t", "m", "displacement of the spring that touches first"),
-        slides=(r"\sigma", "", "side to which springs slide: 1, -1, or 0 if they stick"),
         dragged=("", "m", "how far the pieces of the displacement were dragged together"),
         pieces=("", None, "the pieces of all states of the path"),
         top=("", None, "number of the piece at the edge"),
@@ -180,11 +179,6 @@ class SlipMemory:
         return np.array([piece.right for piece in self.outwards()]) + self.dragged
 
     @property
-    def slides(self) -> Array:
-        """Whether the springs of a piece are on their bound: on which side (+1, -1), else 0, (m,)."""
-        return np.array([float(piece.slides) for piece in self.outwards()])
-
-    @property
     def on_axis(self) -> float:
         """u_t of the spring that touches first [m]; zero without contact."""
         return float(self.pieces.columns.axis[self.top]) + self.dragged if self.top >= 0 else 0.0
@@ -196,17 +190,6 @@ class SlipMemory:
         while ring >= 0 and stack.side[ring] != 0:
             ring = stack.inner[ring]
         return float(stack.stop[ring]) if ring >= 0 else 0.0
-
-    def value(self, gap: Array) -> Array:
-        """u_t [m] of the springs of given gaps [m]; zero outside the contact."""
-        gap = np.asarray(gap, dtype=float)
-        if self.top < 0:
-            return np.zeros(gap.shape)
-        edges, left, right = self.edges, self.left, self.right
-        place = np.clip(np.searchsorted(edges, gap, side="right") - 1, 0, left.size - 1)
-        share = (gap - edges[place]) / (edges[place + 1] - edges[place])
-        inside = left[place] * (1.0 - share) + right[place] * share
-        return np.where((gap <= self.depth) & (gap >= 0.0), inside, 0.0)
 
     def moved(self, depth: float, change: float, bound: float, sums: Any = None) -> MovedMemory:
         """Return the memory after a straight step, and its energies.

@@ -137,12 +137,10 @@ class SlipCells(NamedTuple):
         With which they are summed up: as of `moments` and `normal_at`.
     bound, ratio, coefficient : float
         beta, c_T/c_N, mu [-].
-    driven, pressed, bends : bool
+    driven, pressed : bool
         As of `winkler.problems.friction.tangential_march.PressedRow`.
     near, cheap : float
         By how much displacements [m] and energies [J] may differ where a step is halved.
-    order : int
-        As of `winkler.problems.row.Row`.
     """
 
     stack: SlipStack
@@ -152,10 +150,8 @@ class SlipCells(NamedTuple):
     coefficient: float
     driven: bool
     pressed: bool
-    bends: bool
     near: float
     cheap: float
-    order: int
 
 
 def empty_stack() -> SlipStack:

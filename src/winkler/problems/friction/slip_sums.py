@@ -49,12 +49,10 @@ class SlipSums:
     ----------
     states : NormalStates
         The frictionless contact of that bed.
-    known : dict, optional
-        What `states` has at depths that a path is known to go through.
     """
 
-    def __init__(self, states: NormalStates, known: dict[float, Moments] | None = None) -> None:
-        self.states, self._known = states, known or {}
+    def __init__(self, states: NormalStates) -> None:
+        self.states = states
         self._points: dict[float, Moments] = {0.0: (0.0, 0.0, 0.0)}
 
     def at(self, gap: float) -> Moments:
@@ -63,7 +61,7 @@ class SlipSums:
         if sums is None:
             if len(self._points) > MOST_GAPS:
                 self._points = {0.0: self._points[0.0]}
-            sums = self._points[gap] = self._known.get(gap) or self.states.at(gap)
+            sums = self._points[gap] = self.states.at(gap)
         return sums
 
     def ring(self, start: float, stop: float) -> Moments:

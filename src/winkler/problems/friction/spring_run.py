@@ -16,7 +16,7 @@ from winkler.loading.loads import Depth, Force
 from winkler.loading.path import Path
 from winkler.numerics.springs.slip_history import follow_line, follow_plane
 from winkler.numerics.springs.slip_plane import march_plane
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, Quantity
 from winkler.problems.friction.slip_stack import SlipGoal, refuse
 from winkler.problems.friction.spring_states import SpringLaw, SpringState
 from winkler.problems.friction.tangential_march import PressedRow
@@ -32,6 +32,7 @@ FORCE_TOLERANCE = 1e-12
 """Relative error of a prescribed shear force in the plane."""
 MOST_NEWTON_STEPS = 60
 """Steps of Newton's method."""
+ENERGIES = "work", "stored_energy", "dissipation"
 BLOCK = 256
 """Steps that go through a kernel together."""
 
@@ -105,10 +106,7 @@ class SingleSprings(PressedRow[SpringPlaces]):
 
     def straight(self) -> bool:
         """Return whether no step is bent by a prescribed force, so that whole blocks of steps go through one kernel."""
-        if self._unbent or not (self.driven or self.plain):
-            return self.driven or self.plain
-        steady, same = np.diff(self.own) == 0.0, np.all(np.diff(self.along, axis=0) == 0.0, axis=1)
-        return bool(np.all(self._straight(steady, same)))
+        return (self.driven or self.plain) and self.unbent(self.own, self.along)
 
     def fresh(self, depth: float) -> SpringPlaces:
         """Return springs that are pressed to a depth, and have not been moved."""
@@ -233,41 +231,25 @@ class SingleSprings(PressedRow[SpringPlaces]):
             raise
         shift, force, sums = (np.concatenate(part) for part in zip(*parts, strict=True))
         stored, lost, work, stuck = sums.T
-        depth, pressing, radius = self.contact
-        numbers = {
-            "time": self.path.time,
-            "depth": depth,
-            "force": pressing,
-            "radius": radius,
-            "shift": shift[:, 0] if self.line else shift,
-            "shear_force": force[:, 0] if self.line else force,
-            "stick_radius": np.where(np.isinf(stuck), radius, stuck),
-            "work": np.cumsum(work),
-            "stored_energy": stored,
-            "dissipation": np.cumsum(lost),
-        }
-        last = {name: column[-1] for name, column in numbers.items()}
-        return numbers, self._state(places, **last)
+        numbers = self._numbers(slice(None), shift, force, stuck, np.cumsum(work), stored, np.cumsum(lost))
+        return numbers, self._state(places, {name: column[-1] for name, column in numbers.items()})
 
     def states(self) -> Iterator[SpringState]:
         """Yield the springs as they stand at every point."""
-        columns = zip(self.path.time.tolist(), *(each.tolist() for each in self.contact), strict=True)
-        for (time, depth, force, radius), (places, work, lost) in zip(columns, follow(self, self.goals), strict=True):
-            line, shift, shear = self.line, places.shift, places.force
-            yield self._state(
-                places,
-                time=time,
-                depth=depth,
-                force=force,
-                radius=radius,
-                shift=shift[0] if line else shift,
-                shear_force=shear[0] if line else shear,
-                stick_radius=radius if np.isinf(places.stuck) else places.stuck,
-                work=work,
-                stored_energy=places.stored,
-                dissipation=lost,
-            )
+        for point, (places, work, lost) in enumerate(follow(self, self.goals)):
+            along = places.shift, places.force, places.stuck
+            yield self._state(places, self._numbers(point, *along, work, places.stored, lost))
 
-    def _state(self, places: SpringPlaces, **numbers: Any) -> SpringState:
+    def _numbers(
+        self, points: int | slice, shift: Array, force: Array, stuck: Quantity, *energies: Quantity
+    ) -> dict[str, Any]:
+        """Return the numbers of a state, or of all; energies are work, stored and lost [J]."""
+        depth, pressing, radius = (each[points] for each in self.contact)
+        numbers = self.path.time[points], depth, pressing, radius
+        along = (shift[..., 0], force[..., 0]) if self.line else (shift, force)
+        names = "time", "depth", "force", "radius", "shift", "shear_force", "stick_radius", *ENERGIES
+        return dict(zip(names, (*numbers, *along, np.minimum(stuck, radius), *energies), strict=True))
+
+    def _state(self, places: SpringPlaces, numbers: dict[str, Any]) -> SpringState:
         displacement = places.u[0] if self.line else places.u.T.copy()
         return SpringState(bed=self.bed, springs=self.springs, displacement=displacement, **numbers)

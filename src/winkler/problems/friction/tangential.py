@@ -40,6 +40,7 @@ from winkler.problems.normal.stiffness_ratio import alike, refuse_plane, stiffne
 from winkler.problems.one_load import OfPath, RestoredStates
 from winkler.problems.ring_slip.push_bound import exact_ratio, layers_of_rings, pushed_body
 from winkler.problems.round_march import RoundSlip
+from winkler.problems.row import follow
 from winkler.problems.viscoelastic.tangential import (
     DraggedState,
     Relaxed,
@@ -224,8 +225,10 @@ class Tangential:
         row = SlipRow(slipping_springs(self.bed), self.law.coefficient, ratio, self.path, moved)
         pressed = (np.asarray(quantity).tolist() for quantity in (contact.depth, contact.force, contact.radius))
         points = zip(self.path.time.tolist(), *pressed, strict=True)
-        for (time, depth, force, radius), sheared in zip(points, row.points(), strict=True):
-            yield TangentialState(time, depth, force, radius, *sheared[:-1], self.bed, self.law, ratio, sheared.memory)
+        for normal, (state, work, lost) in zip(points, follow(row, row.goals), strict=True):
+            memory = row.memory(state)
+            along = state.shift, row.shear_force(memory), work, row.stored(memory), lost
+            yield TangentialState(*normal, *along, self.bed, self.law, ratio, memory)
 
     def gathered(self, states: Iterable[State]) -> TangentialSolution:
         """Return the solution made of these states, of the whole path or of its beginning."""

@@ -6,9 +6,7 @@ it, it is halved until the halves bring the springs to where the whole did (`win
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -16,11 +14,9 @@ from winkler.foundation.bed import Bed
 from winkler.loading.loads import Depth, Shift
 from winkler.loading.path import Path
 from winkler.numerics.jit import Instead
+from winkler.numerics.types import Array
 from winkler.problems.friction.slip_memory import SlipMemory, SlipPieces
 from winkler.problems.friction.slip_stack import (
-    FORCE_TOLERANCE,
-    LEAST_DEPTH,
-    SLIDING_TOLERANCE,
     SlipCells,
     SlipGoal,
     SlipStack,
@@ -32,25 +28,25 @@ from winkler.problems.friction.slip_stack import (
     within,
 )
 from winkler.problems.friction.slip_sums import PanelTable, SlipSums, panel_at, panel_moments, panel_table
-from winkler.problems.friction.steady_gaps import GapPlays, turned_memories
 from winkler.problems.normal.force_curve import NormalCurves
 from winkler.problems.normal.indentation import IndentationSolution
-from winkler.problems.ring_slip.steady_path import steady_history
-from winkler.problems.row import CURVED_STEP_TOLERANCE, Reached, Row, follow, halved
+from winkler.problems.row import CURVED_STEP_TOLERANCE, Reached, Row, halved
 from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["PressedRow", "SlipRow"]
 
-MANY = 20
-"""Points of a path from which on its turning points take less time than its steps."""
 UNTOUCHED_DEPTH = 1e-9
 """Depth [m] to which the normal curve is made for bodies that never touch, and never evaluated."""
-LONG, LONG_BENT = 5000, 1000
-"""Points of a path from which on a kernel saves more than it takes to load: where no step is bent, where some are."""
+LONG = 5000
+"""Points of a path from which on a kernel saves more than it takes to load."""
+SOUGHT, HALVED = 2, 5
+"""For how many points one counts whose shift is sought, or to which a step is bent."""
 ROOM = 4096
 """Pieces for which a kernel has room at first."""
 WHOLE = {"side", "inner", "outer", "count", "stuck", "known"}
 """Columns of a stack that hold whole numbers."""
+ORDER = 2
+"""Of the errors of a step that is halved, as of `winkler.problems.row.Row`."""
 NEVER_MET = SlipState(-1, 0.0, 0.0, 0.0)
 """Springs of bodies that have not met."""
 
@@ -65,7 +61,7 @@ class PressedRow(Row[SlipGoal, State]):
     path : Path
     """
 
-    order: int | None = 2
+    order: int | None = ORDER
     curves, bends = True, False
     """Whether steps are halved where a prescribed force bends them; whether a shear force bends them in itself."""
 
@@ -79,8 +75,7 @@ class PressedRow(Row[SlipGoal, State]):
         self.allowed = CURVED_STEP_TOLERANCE * size, CURVED_STEP_TOLERANCE * stiffness * size**2
 
     @property
-    def _unbent(self) -> bool:
-        """Whether no step is ever bent."""
+    def _never_bent(self) -> bool:
         return not self.curves or (self.driven and self.pressed)
 
     def _straight(self, steady: Any, same: Any) -> Any:
@@ -88,30 +83,26 @@ class PressedRow(Row[SlipGoal, State]):
         # with no change of shift it does not matter when the depth changes
         return (steady & (self.driven or not self.bends)) | ((steady | self.driven) & same)
 
+    def unbent(self, depths: Array, along: Array) -> bool:
+        """Return whether no step is bent, of depths ``(n,)`` and what is prescribed along ``(n, ...)``."""
+        if self._never_bent:
+            return True
+        same = np.all(np.diff(along.reshape(depths.size, -1), axis=0) == 0.0, axis=1)
+        return bool(np.all(self._straight(np.diff(depths) == 0.0, same)))
+
     def force_at(self, depth: float) -> float:
         """Return the normal force at a depth [N]."""
         raise NotImplementedError
 
     def halfway(self, state: State, start: SlipGoal, goal: SlipGoal) -> SlipGoal | None:
         """Return what is prescribed at the middle of the depths."""
-        if self._unbent or self._straight(start.depth == goal.depth, np.all(start.along == goal.along)):
+        if self._never_bent or self._straight(start.depth == goal.depth, np.all(start.along == goal.along)):
             return None
         return middle_goal(self, start, goal)
 
 
 SlipEnd = tuple[int, float, float, float, float, float]
 """The numbers of a `SlipState`, work and loss."""
-
-
-class PathPoint(NamedTuple):
-    """A point of a path: shift [m], shear force [N], energies [J], and what the springs remember."""
-
-    shift: float
-    shear_force: float
-    work: float
-    stored: float
-    lost: float
-    memory: SlipMemory
 
 
 class SlipRow(PressedRow[SlipState]):
@@ -138,60 +129,19 @@ class SlipRow(PressedRow[SlipState]):
         self.goals = [SlipGoal(*goal) for goal in zip(*pressed, strict=True)]
         deepest = max(0.0, *(goal.depth for goal in self.goals))
         self._curves = NormalCurves(bed, deepest if deepest > 0.0 else UNTOUCHED_DEPTH)
-        depths = np.atleast_1d(contact.depth)
-        self.sums = SlipSums(self._curves, self._curves.many(depths) if deepest > 0.0 and depths.size >= MANY else None)
+        self.sums = SlipSums(self._curves)
         stiffness, _, _ = self.sums.at(deepest)
         self._allow(ratio * stiffness, self.beta * deepest if deepest > 0.0 else 0.0)
         self.pieces = SlipPieces()
-        numbers = self.beta, ratio, coefficient, self.driven, self.pressed, self.bends, *self.allowed, 2
+        numbers = self.beta, ratio, coefficient, self.driven, self.pressed, *self.allowed
         self.cells = SlipCells(self.pieces.sums_of(self.sums), self.sums, *numbers)
         self._table: PanelTable | None = None
-        if len(self.goals) >= (LONG if self._unbent else LONG_BENT):
+        count = len(self.goals)
+        if HALVED * count >= LONG and not self.unbent(np.asarray(contact.depth), path.along):
+            count *= HALVED
+        if (count if self.driven else SOUGHT * count) >= LONG:
             self._table, self.pieces.columns = panel_table(self._curves, 1), arrays_of(self.pieces.columns)
             self.cells = self.cells._replace(stack=self.pieces.columns)
-
-    def points(self) -> Iterator[PathPoint]:
-        """Yield the springs at every point of the path, many of them under a steady depth all at once.
-
-        Raises
-        ------
-        OutsideValidity, NotConverged
-            As `step`.
-        """
-        goals, depth = self.goals, self.goals[0].depth
-        done, reached = 0, None
-        steady = len(goals) >= MANY and all(goal.depth == depth for goal in goals)
-        if steady and depth >= LEAST_DEPTH and 0.0 < self.beta < math.inf:
-            for point in self._turned(depth):
-                yield point
-                done += 1
-            if 0 < done < len(goals):
-                self.pieces, (shift, *_, work, _, lost, memory) = point.memory.pieces, point
-                self.cells = self.cells._replace(stack=self.pieces.sums_of(self.sums))
-                state = SlipState(memory.top, memory.dragged, memory.depth, shift)
-                reached = done - 1, goals[done - 1], Reached(state, work, lost)
-        # what friction does not bear is refused, at its step
-        for state, work, lost in follow(self, goals[done:], reached):
-            memory = self.memory(state)
-            yield PathPoint(state.shift, self.shear_force(memory), work, self.stored(memory), lost, memory)
-
-    def _turned(self, depth: float) -> Iterator[PathPoint]:
-        """Yield the points of a path under a steady depth, as far as friction bears what is prescribed."""
-        along = [goal.along for goal in self.goals]
-        springs = GapPlays(self._curves.greatest(), depth, self.beta, self.ratio)
-        if not self.driven:
-            most = self.coefficient * self.sums.at(depth)[1]
-            allowed = most * (1.0 + SLIDING_TOLERANCE)
-            borne = next((i for i, force in enumerate(along) if abs(force) > allowed), len(along))
-            slides, limit = most * (1.0 - FORCE_TOLERANCE), 2.0 * float(springs.whole[1])
-            along = [2.0 * f if abs(f) < slides else math.copysign(limit, f) for f in along[:borne]]
-        history = steady_history(springs, along, not self.driven)
-        shift = along if self.driven else history.motion.tolist()
-        halves = (0.5 * each for each in (history.load, history.stored))
-        load, stored = (each.tolist() for each in halves)
-        rows = zip(shift, load, history.work.tolist(), stored, history.lost.tolist(), strict=True)
-        for row, memory in zip(rows, turned_memories(depth, self.beta, history), strict=True):
-            yield PathPoint(*row, memory)
 
     def begin(self, goal: SlipGoal) -> Reached[SlipState]:
         """Return the springs pressed straight down, and moved after."""
@@ -300,7 +250,7 @@ def _themselves(cells: SlipCells) -> SlipCells:
 
 
 def _slip_order(cells: SlipCells) -> int:
-    return cells.order
+    return ORDER
 
 
 def _no_room(stack: SlipStack) -> None:

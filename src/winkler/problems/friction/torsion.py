@@ -17,9 +17,8 @@ from collections.abc import Iterable, Iterator
 from typing import Annotated, ClassVar
 
 from winkler.foundation.bed import Bed
-from winkler.foundation.torsion_bound import twist_bound
 from winkler.laws.friction import Coulomb
-from winkler.loading.loads import Angle, Depth, Torque
+from winkler.loading.loads import Angle, Torque
 from winkler.loading.path import Path
 from winkler.media.relaxing.relaxing_medium import relaxes
 from winkler.media.twisting.kernels import twisted_medium
@@ -27,12 +26,13 @@ from winkler.numerics.types import Array
 from winkler.problems.answer import gather
 from winkler.problems.assumptions.declared import BALANCED, PRESSED, RELAXING
 from winkler.problems.assumptions.energy import energy_note
-from winkler.problems.friction.torsion_states import TorsionState, TwistedSprings
+from winkler.problems.friction.torsion_states import TorsionState
 from winkler.problems.friction.torsion_validity import torsion_notes, torsion_yield_notes
 from winkler.problems.last_cycle import Looped, PathLoop
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.one_load import OfPath
 from winkler.problems.ring_slip.ring_path import ring_points
+from winkler.problems.ring_slip.ring_states import TwistedSprings
 from winkler.problems.round_march import RoundTwist
 from winkler.problems.viscoelastic.tangential import Relaxed, pressed_alone
 from winkler.problems.viscoelastic.torsion import DraggedTwist, dragged_twist_notes, dragged_twists
@@ -149,9 +149,7 @@ class Torsion:
             yield from dragged_twists(self.bed, self.law, self.path, self.count, self.tolerance)
             return
         unit = 8.0 * twisted_medium(self.bed.medium).torsional_modulus
-        forced = not isinstance(self.path.normal, Depth)
-        for normal, at, limit, bound in ring_points(self.bed, self.law.coefficient, self.path, unit, twist_bound):
-            springs = TwistedSprings(self.bed, self.law.coefficient, bound.widest, forced, at.memory)
+        for normal, at, limit, springs in ring_points(self.bed, self.law.coefficient, self.path, unit, TwistedSprings):
             energies = at.work, at.stored, at.lost
             yield TorsionState(*normal, at.motion, at.load, limit, at.stick_radius, *energies, at.nested, springs)
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.foundation.bed import PressedSprings
 from winkler.foundation.sheared_fields import BodyFields, body_of_pressed
 from winkler.numerics.types import Array
 from winkler.problems.friction.torsion_states import TorsionState
@@ -41,7 +40,7 @@ class TwistedFields:
 
 def twisted_surface(state: TorsionState, r: Array) -> TwistedFields:
     """Return pressure, traction, displacement and slip at distances from the axis [m]."""
-    pressed = _pressed(state)
+    pressed = state._pressed
     pressure = pressed.bed.medium.pressure(pressed, r) if pressed.radius > 0.0 else np.zeros(r.shape)
     displacement = state.turning(r)
     return TwistedFields(r, pressure, state.traction(r), displacement, state.angle * r - displacement)
@@ -58,7 +57,7 @@ def body_of_twisted(state: TorsionState, x: Array, y: Array, z: Array) -> BodyFi
         If the body there is rigid, or the field of the pressure is not known.
     """
     x, y, z = np.broadcast_arrays(x, y, z)
-    normal = body_of_pressed(_pressed(state), x, y, z)
+    normal = body_of_pressed(state._pressed, x, y, z)
     if state.radius == 0.0:
         return normal
     r = np.hypot(x, y)
@@ -80,7 +79,3 @@ def body_of_twisted(state: TorsionState, x: Array, y: Array, z: Array) -> BodyFi
         normal.y_displacement + c * twist.hoop_displacement,
         normal.z_displacement,
     )
-
-
-def _pressed(state: TorsionState) -> PressedSprings:
-    return PressedSprings(state.springs.bed, state.depth, state.radius)

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from winkler.foundation.bed import Bed, PressedSprings
+from winkler.foundation.bed import Bed
 from winkler.laws.friction import Coulomb
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior.peak import greatest
@@ -105,10 +105,9 @@ def torsion_yield_notes(bed: Bed, states: Sequence[TorsionState]) -> tuple[Note,
 
 
 def _sharp(state: TorsionState, part: StrongPart) -> bool:
-    pressed = PressedSprings(state.springs.bed, state.depth, state.radius)
     if state.radius == 0.0:
         return False
-    return state.springs.edge != 0.0 or any(sharp_places(pressed, part.solid.poisson, 1.0))
+    return state.springs.edge != 0.0 or any(sharp_places(state._pressed, part.solid.poisson, 1.0))
 
 
 @functools.lru_cache(maxsize=64)

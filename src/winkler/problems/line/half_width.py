@@ -13,7 +13,8 @@ from collections.abc import Callable
 import numpy as np
 
 from winkler.foundation.line_bed import LineBed
-from winkler.numerics.equations.roots import bracketed, invert, rough_root
+from winkler.numerics.equations.bracketing import between
+from winkler.numerics.equations.roots import invert, rough_root
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile, Sum
 from winkler.profiles.wavy import Wavy
@@ -231,7 +232,7 @@ def _first(bed: LineBed, level: Level, target: Array) -> Array:
     after = np.argmax(levels[None, :] >= target[:, None], axis=1)
     low, high = places[after - 1], places[after]
     low = np.where(low > 0.0, low, 1e-9 * high)
-    return bracketed(lambda a, index: level(a) - target[index], low, high)
+    return between(lambda a, index: level(a) - target[index], low, high)
 
 
 def refuse_unless_strips(bed: LineBed, half_width: Array, beside: float = WIDTHS_BESIDE) -> None:

@@ -85,14 +85,6 @@ class NormalCurve(NamedTuple):
         stiffness, force, work = (np.cos(angle * self.orders) @ self.rows[panel]).tolist()
         return stiffness, force, work
 
-    def read(self, depths: Array, which: int) -> Array:
-        """Return one of K, F and W, numbered from zero, at many depths up to that of the curve [m], ``(m,)``."""
-        edges, table = np.array(self.edges), np.array([row[:, which] for row in self.rows])
-        panel = np.clip(np.searchsorted(edges, depths, side="right"), 1, edges.size - 1) - 1
-        low, high = edges[panel], edges[panel + 1]
-        t = np.clip((2.0 * depths - low - high) / (high - low), -1.0, 1.0)
-        return np.asarray(np.polynomial.chebyshev.chebval(t, table.T[:, panel], tensor=False))
-
     def between(self, gap: float, stiffness: float, depth: float) -> tuple[float, float]:
         r"""Return the sums of d - gap [N] and of its square [J] over the springs from a gap to a depth.
 
@@ -178,20 +170,9 @@ class NormalCurves:
             self._curves[number] = normal_curve(self.bed, self.depth * SHALLOWER**-number)
         return self._curves[number]
 
-    def greatest(self) -> NormalCurve:
-        """Return the curve up to the greatest depth, known to rounding of its greatest values."""
-        return self._curves[0]
-
     def at(self, depth: float) -> tuple[float, float, float]:
         """Return as `NormalCurve.at`."""
         return self._of(depth).at(depth)
-
-    def many(self, depths: Array) -> dict[float, tuple[float, float, float]]:
-        """Return K [N/m], F [N] and W [J] at those of many depths [m] that the greatest curve resolves."""
-        resolved = np.unique(depths[depths * SHALLOWER >= self.depth])
-        curve = self.greatest()
-        rows = [curve.read(resolved, which).tolist() for which in range(3)]
-        return dict(zip(resolved.tolist(), zip(*rows, strict=True), strict=True))
 
     def between(self, gap: float, stiffness: float, depth: float) -> tuple[float, float]:
         """Return as `NormalCurve.between`."""

@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.foundation.bed import Bed
-from winkler.numerics.equations.roots import bracketed
+from winkler.numerics.equations.bracketing import between
 from winkler.numerics.types import Array
 from winkler.problems.normal.overlap import SLOPE_SAMPLES
 from winkler.problems.normal.single_contact import MOST_TURNING_POINTS, too_many
@@ -44,7 +44,7 @@ def _turns(bed: Bed, end: float) -> Array:
     next_crest = np.append(crests, np.inf)[np.searchsorted(crests, low)]
     crest = (slope[changes] > 0.0) & (next_crest < high)
     starts_ = np.where(crest, next_crest, low)
-    starts_[~crest] = bracketed(lambda t, _: bed.gap_slope(t), low[~crest], high[~crest])
+    starts_[~crest] = between(lambda t, _: bed.gap_slope(t), low[~crest], high[~crest])
     return starts_
 
 
@@ -56,7 +56,7 @@ def _rising_intervals(bed: Bed, end: float) -> list[RisingInterval]:
     (climbing,) = np.nonzero(tops[1:] > record[:-1])
     start, stop, before = bounds[climbing], bounds[climbing + 1], record[climbing]
     (late,) = np.nonzero(tops[climbing] < before)
-    start[late] = bracketed(lambda t, i: bed.gap(t) - before[late][i], start[late], stop[late])
+    start[late] = between(lambda t, i: bed.gap(t) - before[late][i], start[late], stop[late])
     return [RisingInterval(*ends) for ends in zip(start.tolist(), stop.tolist(), strict=True)]
 
 
@@ -120,7 +120,7 @@ def _met(value: Callable[[Array], Array], target: Array, intervals: list[RisingI
     start, stop = np.array(intervals).T
     radius: Array = stop.copy()
     (free,) = np.nonzero(start < stop)
-    radius[free] = bracketed(lambda x, i: value(x) - target[free][i], start[free], stop[free])
+    radius[free] = between(lambda x, i: value(x) - target[free][i], start[free], stop[free])
     return radius
 
 

@@ -33,7 +33,7 @@ from winkler.loading.loads import LineForce
 from winkler.materials.elastic import Elastic
 from winkler.materials.hardening import Hardening
 from winkler.media.halfspace import HalfSpace
-from winkler.numerics.equations.roots import bracketed
+from winkler.numerics.equations.bracketing import between
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import PRESSED
@@ -102,7 +102,7 @@ class _LineLoading(NamedTuple):
         if yields.any():
             low, wanted = elastic[yields], force[yields]
             high = low * wanted / self.at(low).force  # the mean pressure grows with the half-width
-            wide[yields] = bracketed(lambda a, index: self.at(a).force - wanted[index], low, high * (1.0 + 1e-12))
+            wide[yields] = between(lambda a, index: self.at(a).force - wanted[index], low, high * (1.0 + 1e-12))
         return wide
 
     def lost(self, reached: _LineLoad) -> Array:

@@ -10,7 +10,7 @@ from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
 from winkler.problems.ring_slip.push_notes import push_note
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["IN_CYCLES", "IN_IMPACTS", "moving_ring_notes"]
+__all__ = ["IN_CYCLES", "IN_IMPACTS", "STUCK", "moving_ring_notes"]
 
 OUTER_RINGS = (
     "Slip annuli are assumed to lie outside the stick zone. Under a changing normal load some annuli slip inside "

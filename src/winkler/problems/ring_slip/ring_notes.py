@@ -3,45 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Protocol
 
 import numpy as np
 
 from winkler.foundation.bed import Bed, PressedSprings
-from winkler.numerics.types import Array, ArrayLike
+from winkler.numerics.types import Array
 from winkler.problems.ring_slip.ring_path import ANGLE_TOLERANCE
+from winkler.problems.ring_slip.ring_states import RingState
 from winkler.problems.ring_slip.torsion_march import LOSS_TOLERANCE
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["TABLES_ERROR", "RingState", "ring_notes"]
+__all__ = ["TABLES_ERROR", "ring_notes"]
 
 TRACTION_ROUNDING = 1e-6
 """Excess of the traction over friction that is none."""
 TABLES_ERROR = 3e-4
 """By which part tractions err where kernels have a logarithm."""
-
-
-class RingState(Protocol):
-    """What a contact is at one moment."""
-
-    @property
-    def depth(self) -> float:
-        """d [m]."""
-        ...
-
-    @property
-    def radius(self) -> float:
-        """a [m]."""
-        ...
-
-    @property
-    def nested(self) -> bool:
-        """Whether all that slid in the step was one outer ring, and slid to one side."""
-        ...
-
-    def traction(self, r: ArrayLike) -> Array:
-        """Return the traction [Pa] at distances from the axis [m]."""
-        ...
 
 
 def ring_notes(

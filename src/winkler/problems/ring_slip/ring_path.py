@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from typing import NamedTuple
+from collections.abc import Iterator
+from typing import Generic, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from winkler.loading.path import Path
 from winkler.media.offers import TwistedWaves, offers
 from winkler.numerics.types import Array
 from winkler.problems.normal.solve_contact import at_depth, at_force
+from winkler.problems.ring_slip.ring_states import BoundOf, TwistedSprings
 from winkler.problems.ring_slip.steady_path import HistoryPoint, falls, steady_points
 from winkler.problems.ring_slip.torsion_march import (
     MOST_HALVINGS,
@@ -26,7 +27,7 @@ from winkler.problems.ring_slip.torsion_march import (
     trapezoid,
     unrounded,
 )
-from winkler.problems.ring_slip.torsion_pieces import TwistMemory, fresh, pieces_of
+from winkler.problems.ring_slip.torsion_pieces import TwistMemory, fresh
 from winkler.problems.row import CURVED_STEP_TOLERANCE, Reached, Row, follow, over
 
 __all__ = ["ANGLE_TOLERANCE", "RingGoal", "RingMemory", "RingPoint", "RingRow", "ring_points"]
@@ -34,6 +35,7 @@ __all__ = ["ANGLE_TOLERANCE", "RingGoal", "RingMemory", "RingPoint", "RingRow", 
 LEVEL_TOLERANCE = 1e-12
 """Part of the level by which two contacts may differ whose bounds are the same."""
 
+Springs = TypeVar("Springs", bound=TwistedSprings)
 
 ANGLE_TOLERANCE = 1e-4
 """Error of motion, load and loss where halves are needed, over what the contact bears at most on its path."""
@@ -102,7 +104,7 @@ class RingRow(Row[RingGoal, RingMemory]):
         """Return the springs after load and motion have changed in proportion, to a motion or to a load."""
         bound, memory = self.bound, state.memory
         press = unrounded(memory.press, goal.press)
-        change = press.level - memory.level
+        change = press.level - memory.press.level
         if not self.moved:
             step = step_to(bound, memory, press, goal.target, state.rate * change)
         else:
@@ -143,7 +145,7 @@ class RingRow(Row[RingGoal, RingMemory]):
         return max(over(*pair) for pair in zip(misses, self.allowed, strict=True))
 
 
-class RingPoint(NamedTuple):
+class RingPoint(NamedTuple, Generic[Springs]):
     """The contact at a point of a path.
 
     `normal` are the numbers of `RoundNormal`; `at` has the motion in rad or m and energies in J; `limit` is what
@@ -153,12 +155,12 @@ class RingPoint(NamedTuple):
     normal: tuple[float, float, float, float]
     at: HistoryPoint
     limit: float
-    bound: TwistBound
+    springs: Springs
 
 
 def ring_points(
-    bed: Bed, coefficient: float, path: Path, unit: float, bound_of: Callable[[Bed, float, float, bool], TwistBound]
-) -> Iterator[RingPoint]:
+    bed: Bed, coefficient: float, path: Path, unit: float, springs_of: type[Springs]
+) -> Iterator[RingPoint[Springs]]:
     """Yield the contact at every point of a path.
 
     Parameters
@@ -169,8 +171,8 @@ def ring_points(
     path : Path
     unit : float
         What a stuck spring bears over its motion: 8 G_t of a twist [Pa], G* of a push [Pa].
-    bound_of : callable
-        Returns the bound of bed, coefficient, widest radius [m], and whether the force is prescribed.
+    springs_of : type
+        `TwistedSprings`, or a class of them.
 
     Raises
     ------
@@ -179,7 +181,7 @@ def ring_points(
     NotConverged
         If a step is too long.
     """
-    forced = not isinstance(path.normal, Depth)
+    forced, bound_of = not isinstance(path.normal, Depth), springs_of.bound_of
     depth, force, radius = _pressed(bed, path, forced)
     widest = float(np.max(radius))
     bound = bound_of(bed, coefficient, widest if widest > 0.0 else _own_length(bed), forced)
@@ -199,12 +201,11 @@ def ring_points(
             lost=2.0 * point.lost / unit,
         )
         normal = float(path.time[i]), float(depth[i]), float(force[i]), float(radius[i])
-        yield RingPoint(normal, at, _limit(bound, presses[i], float(radius[i]), bound_of), bound)
+        limit = _limit(bound, presses[i], float(radius[i]), bound_of)
+        yield RingPoint(normal, at, limit, springs_of(bed, coefficient, bound.widest, forced, at.memory))
 
 
-def _limit(
-    bound: TwistBound, press: PressedState, radius: float, bound_of: Callable[[Bed, float, float, bool], TwistBound]
-) -> float:
+def _limit(bound: TwistBound, press: PressedState, radius: float, bound_of: BoundOf) -> float:
     """Return what friction bears at most, of a contact that is not felt on panels that are made for it."""
     if 0.0 < radius < bound.narrowest:
         bound = bound_of(bound.bed, bound.coefficient, radius, bound.forced)
@@ -240,9 +241,8 @@ def _steady(
     yield from points
     if borne < len(targets):
         goals = [RingGoal(point, press, target) for point, target in enumerate(targets)]
-        ends = [RingMemory(point.memory.record, point.motion, 0.0, borne - 1, True) for point in points[-1:]]
-        last = [(borne - 1, goals[borne - 1], Reached(end, 0.0, 0.0)) for end in ends]
-        next(follow(RingRow(bound, goals, moved), goals[borne:], *last))  # refuses
+        row = RingRow(bound, goals, moved)
+        next(follow(row, goals[borne:], (borne - 1, goals[borne], row.begin(RingGoal(0, press, 0.0)))))  # refuses
 
 
 def _marched(
@@ -258,8 +258,8 @@ def _marched(
 
 def _stick_radius(memory: TwistMemory) -> float:
     """Return the radius up to which no spring is at the bound of the contact as it is."""
-    for piece in pieces_of(memory):
-        same = abs(piece.bound.level - memory.level) <= LEVEL_TOLERANCE * abs(memory.level)
+    for piece in memory.pieces:
+        same = abs(piece.bound.level - memory.press.level) <= LEVEL_TOLERANCE * abs(memory.press.level)
         if piece.side != 0.0 and piece.held == 0.0 and piece.entered == 0.0 and same:
             return piece.low
-    return memory.radius
+    return memory.press.radius

@@ -22,7 +22,7 @@ from winkler.numerics.types import Array
 from winkler.problems.ring_slip.play import Branches, followed
 from winkler.problems.ring_slip.torsion_pieces import TurnedTwist, TurnHistory, TwistMemory
 
-__all__ = ["FreshSprings", "HistoryPoint", "Moved", "Plays", "chunks", "falls", "steady_history", "steady_points"]
+__all__ = ["FreshSprings", "HistoryPoint", "falls", "steady_points"]
 
 CHUNK = 2048
 """So many places are read at a time."""
@@ -73,32 +73,45 @@ def falls(bound: TwistBound, press: PressedState) -> bool:
     )
 
 
-class Plays:
-    """What springs bear that came into contact at rest, and of which the outer ones slide first.
+class FreshSprings:
+    """The rings of a twist, or of a push on layers, that came into contact at rest; amplitudes in Pa.
 
     Parameters
     ----------
-    rim : float
-        Where they end: a radius, or a gap [m].
-    whole : ndarray, (3,)
-        The integrals of e^2 b^n over all of them, n = 0, 1, 2.
-    nodes : ndarray
-        Amplitudes in rising order, between which that of a load is sought; the last one lets all slide that can.
+    bound : TwistBound
+    press : PressedState
+        Of which `falls` is true.
     """
 
-    def __init__(self, rim: float, whole: Array, nodes: Array) -> None:
-        self.rim, self.whole, self._nodes = rim, whole, nodes
+    def __init__(self, bound: TwistBound, press: PressedState) -> None:
+        self._bound, panels, limit = bound, bound.panels, bound.at(press)
+        self._fits: Array = (limit @ TO_COEFFICIENTS.T).T
+        """Coefficients of Legendre's polynomials in every panel."""
+        self._weights: Array = (bound.weight @ TO_COEFFICIENTS.T).T
+        whole = np.array([np.sum(panels.weights * bound.weight * limit**power, axis=1) for power in range(3)])
+        beyond = np.cumsum(whole[:, ::-1], axis=1)[:, ::-1]
+        self._beyond: Array = np.append(beyond[:, 1:], np.zeros((3, 1)), axis=1)
+        """The integrals of e^2 b^n from the upper end of each panel to the edge."""
+        self.rim, self.whole = press.radius, beyond[:, 0]
+        """a [m], and the integrals of e^2 b^n over all springs."""
+        self._nodes: Array = np.maximum.accumulate(limit.ravel()[::-1])
+        """Rising amplitudes between which that of a load is sought; the last one lets all slide that can."""
+        self.inertia = 2.0 * float(self.whole[0])
+        """As `TwistBound.inertia` of the whole contact."""
 
     def tails(self, front: Array) -> Array:
-        """Return the integrals of e^2 b^n from these places to the rim, n = 0, 1, 2: ``(3, m)``."""
-        raise NotImplementedError
+        """Return the integrals of e^2 b^n from these radii to the edge, n = 0, 1, 2: ``(3, m)``."""
+        parts = [self._tails(part)[0] for part in _chunks(front)]
+        return np.concatenate(parts, axis=1) if parts else np.zeros((3, 0))
 
     def curve(self, amplitude: Array) -> Moved:
-        """Return what fresh springs bear that have moved by these amplitudes."""
-        raise NotImplementedError
+        """Return what they bear that have moved by these amplitudes."""
+        parts = [self._curve(part) for part in _chunks(amplitude)]
+        columns = zip(*parts, strict=True) if parts else [()] * 4
+        return Moved(*(np.concatenate([*column, np.zeros(0)]) for column in columns))
 
     def amplitude(self, load: Array) -> Array:
-        """Return the amplitudes under which fresh springs bear these loads, less than what friction bears."""
+        """Return the amplitudes under which they bear these loads, less than what friction bears."""
         known = self.curve(self._nodes)
         least = load / (2.0 * self.whole[0])
         found = np.maximum(np.interp(load, np.append(0.0, known.load), np.append(0.0, self._nodes)), least)
@@ -117,41 +130,6 @@ class Plays:
             found[active] = ahead
             active = active[late]
         return np.asarray(found)
-
-
-class FreshSprings(Plays):
-    """The rings of a twist, or of a push on layers, as `Plays`; amplitudes in Pa.
-
-    Parameters
-    ----------
-    bound : TwistBound
-    press : PressedState
-        Of which `falls` is true.
-    """
-
-    def __init__(self, bound: TwistBound, press: PressedState) -> None:
-        self._bound, panels, limit = bound, bound.panels, bound.at(press)
-        self._fits: Array = (limit @ TO_COEFFICIENTS.T).T
-        """Coefficients of Legendre's polynomials in every panel."""
-        self._weights: Array = (bound.weight @ TO_COEFFICIENTS.T).T
-        whole = np.array([np.sum(panels.weights * bound.weight * limit**power, axis=1) for power in range(3)])
-        beyond = np.cumsum(whole[:, ::-1], axis=1)[:, ::-1]
-        self._beyond: Array = np.append(beyond[:, 1:], np.zeros((3, 1)), axis=1)
-        """The integrals of e^2 b^n from the upper end of each panel to the edge."""
-        super().__init__(press.radius, beyond[:, 0], np.maximum.accumulate(limit.ravel()[::-1]))
-        self.inertia = 2.0 * float(self.whole[0])
-        """As `TwistBound.inertia` of the whole contact."""
-
-    def tails(self, front: Array) -> Array:
-        """Return as `Plays.tails`."""
-        parts = [self._tails(part)[0] for part in chunks(front)]
-        return np.concatenate(parts, axis=1) if parts else np.zeros((3, 0))
-
-    def curve(self, amplitude: Array) -> Moved:
-        """Return as `Plays.curve`."""
-        parts = [self._curve(part) for part in chunks(amplitude)]
-        columns = zip(*parts, strict=True) if parts else [()] * 4
-        return Moved(*(np.concatenate([*column, np.zeros(0)]) for column in columns))
 
     def _curve(self, amplitude: Array) -> Moved:
         front = self._front(amplitude)
@@ -217,12 +195,12 @@ def steady_points(bound: TwistBound, press: PressedState, values: Sequence[float
     ]
 
 
-def steady_history(springs: Plays, values: Sequence[float], by_load: bool) -> TurnHistory:
+def steady_history(springs: FreshSprings, values: Sequence[float], by_load: bool) -> TurnHistory:
     """Return a whole history of springs that came into contact at rest; its time and its memory are those of its turns.
 
     Parameters
     ----------
-    springs : Plays
+    springs : FreshSprings
     values : sequence of float
         The motion, or the load, less than what friction bears.
     by_load : bool
@@ -254,7 +232,7 @@ def steady_history(springs: Plays, values: Sequence[float], by_load: bool) -> Tu
     return TurnHistory(moved, np.array(load), fronts, np.cumsum(work), stored, np.cumsum(lost), branches)
 
 
-def _stored(springs: Plays, branches: Branches, motion: Array, front: Array) -> Array:
+def _stored(springs: FreshSprings, branches: Branches, motion: Array, front: Array) -> Array:
     r"""Return the integral of the square of the springs' load at each point.
 
     The springs of the ring between two turns bear :math:`m-m_t+\sigma_t b` at a motion m: a square in m, of which the
@@ -282,6 +260,6 @@ def _stored(springs: Plays, branches: Branches, motion: Array, front: Array) -> 
     return np.asarray(np.maximum(motion * (a * motion + 2.0 * b) + c + sides**2 * beyond[2], 0.0))
 
 
-def chunks(values: Array) -> list[Array]:
+def _chunks(values: Array) -> list[Array]:
     """Return numbers in parts that are read at a time, lest arrays over their places become long."""
     return [values[low : low + CHUNK] for low in range(0, values.size, CHUNK)]

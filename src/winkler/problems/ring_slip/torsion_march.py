@@ -14,7 +14,7 @@ import numpy as np
 
 from winkler.foundation.torsion_bound import PressedState, TwistBound
 from winkler.problems.ring_slip.torsion_memory import TwistAhead, TwistMove, slid_along, stuck_work
-from winkler.problems.ring_slip.torsion_pieces import TwistMemory, pieces_of
+from winkler.problems.ring_slip.torsion_pieces import TwistMemory
 from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = [
@@ -56,7 +56,7 @@ class TorsionStep(NamedTuple):
 def torque_of(bound: TwistBound, memory: TwistMemory) -> float:
     """Return the torque [N m]."""
     total = 0.0
-    for piece in pieces_of(memory):
+    for piece in memory.pieces:
         ends = np.array([piece.low, piece.high])
         low, high = bound.panels.integral(piece.values(bound) * bound.weight, ends).tolist()
         total += high - low
@@ -70,7 +70,7 @@ def square(bound: TwistBound, memory: TwistMemory) -> float:
     hold, would leave rounding far above what a small twist stores.
     """
     total = 0.0
-    for piece in pieces_of(memory):
+    for piece in memory.pieces:
         sample = bound.panels.sample(piece.low, piece.high)
         total += float(np.sum(sample.weights * bound.weigh(sample) * sample.read(piece.values(bound)) ** 2))
     return total
@@ -97,7 +97,7 @@ def torsion_step(bound: TwistBound, memory: TwistMemory, press: PressedState, tw
             return TorsionStep(whole.memory, twist, max(better, 0.0), stuck + settled, whole.nested)
         best = better
     raise NotConverged(
-        f"{bound.owner}: the energy lost between the normal loads {memory.level:.6g} and {press.level:.6g} does "
+        f"{bound.owner}: the energy lost between the normal loads {memory.press.level:.6g} and {press.level:.6g} does "
         "not converge; give points in between."
     )
 

@@ -21,9 +21,10 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.foundation.torsion_bound import PressedState, TwistBound
+from winkler.numerics.equations.roots import between
 from winkler.numerics.panels.kink_panels import Sample
 from winkler.numerics.types import Array
-from winkler.problems.ring_slip.torsion_pieces import NO_CONTACT, TwistMemory, TwistPiece, pieces_of
+from winkler.problems.ring_slip.torsion_pieces import NO_CONTACT, TwistMemory, TwistPiece
 
 __all__ = ["TwistAhead", "TwistCut", "TwistMove", "TwistRing", "slid_along", "stuck_work"]
 
@@ -33,8 +34,6 @@ NARROWEST_RING = 1e-9
 """A ring narrower than this part of the contact is none."""
 CHUNK = 256
 """Points of a path whose bounds are held at once."""
-BISECTIONS = 60
-"""At most so many, of the places where sliding begins."""
 
 
 class TwistRing(NamedTuple):
@@ -65,10 +64,7 @@ def _memory_of(press: PressedState, pieces: list[TwistPiece]) -> TwistMemory:
             merged[-1] = merged[-1]._replace(high=piece.high)
         else:
             merged.append(piece)
-    columns = list(zip(*merged, strict=True)) if merged else [(), (), (), (), (), ()]
-    edges = np.array([0.0, *columns[1]])
-    held, entered, sides = (np.array(column, dtype=float) for column in columns[2:5])
-    return TwistMemory(*press, edges, held, entered, sides, np.array(columns[5], dtype=float).reshape(-1, 3))
+    return TwistMemory(press, tuple(merged))
 
 
 class _Trial(NamedTuple):
@@ -105,7 +101,7 @@ class TwistAhead:
 
     def __init__(self, bound: TwistBound, memory: TwistMemory, press: PressedState) -> None:
         self.bound, self.memory, self.press = bound, memory, press
-        before, change = memory.press, press.level - memory.level
+        before, change = memory.press, press.level - memory.press.level
         self._rate = 1.0 / change if change > 0.0 else 0.0
         self._now = now = bound.at(press)
         self._slack = BOUND_ROUNDING * bound.panels.at(now, 0.5 * press.radius) if press.radius > 0.0 else 0.0
@@ -113,7 +109,7 @@ class TwistAhead:
         ones, inertia = np.ones_like(now), bound.panels.antiderivative(bound.weight)
         self._trials = [
             self._trial(piece._replace(high=min(piece.high, press.radius)), False, piece.values(bound), ones, inertia)
-            for piece in pieces_of(memory)
+            for piece in memory.pieces
             if piece.low < press.radius
         ]
         if press.radius > before.radius:
@@ -200,7 +196,7 @@ class TwistAhead:
             rings.append(
                 TwistRing(sample, sample.read(trial.values), sample.read(bound.clock), np.full(sample.x.shape, state))
             )
-        if press.radius < self.memory.radius:
+        if press.radius < self.memory.press.radius:
             rings += _left(bound, self.memory, press, twist)
         nested = _nested([(high - low, state) for _, low, high, state in cuts], press.radius)
         return TwistMove(_memory_of(press, done), tuple(rings), nested)
@@ -208,8 +204,8 @@ class TwistAhead:
 
 def stuck_work(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: float) -> float:
     """Return 4 G_t times the work of a move on the springs that end in contact, if none of them slid."""
-    total, before, change = 0.0, memory.radius, press.level - memory.level
-    for piece in pieces_of(memory):
+    total, before, change = 0.0, memory.press.radius, press.level - memory.press.level
+    for piece in memory.pieces:
         if piece.low < press.radius:
             sample = bound.panels.sample(piece.low, min(piece.high, press.radius))
             load = sample.read(piece.values(bound))
@@ -232,7 +228,7 @@ def slid_along(
     """
     if not rings:
         return 0.0, 0.0
-    start, end = memory.level, path[-1].level
+    start, end = memory.press.level, path[-1].level
     x, weights, counts = (
         np.concatenate(column)
         for column in zip(*((r.sample.x, r.sample.weights, bound.weigh(r.sample)) for r in rings), strict=True)
@@ -248,7 +244,7 @@ def slid_along(
     if bound.endless:
         lost = 0.5 * float(np.sum(weight * (before + twist * last) ** 2))
         return lost, float(np.sum(weight * twist * last * (before + 0.5 * twist * last)))
-    allowed = np.where(x < memory.radius, read(bound.at(memory.press)), 0.0)
+    allowed = np.where(x < memory.press.radius, read(bound.at(memory.press)), 0.0)
     load = displaced = side * before
     slid = np.maximum(load - allowed, 0.0)  # rounding
     density = np.zeros_like(x)
@@ -276,43 +272,22 @@ def slid_along(
 def _left(bound: TwistBound, memory: TwistMemory, press: PressedState, twist: float) -> list[TwistRing]:
     """Return the springs that come out of contact."""
     rings = []
-    for piece in pieces_of(memory):
+    for piece in memory.pieces:
         if piece.high > press.radius:
             sample = bound.panels.sample(max(piece.low, press.radius), piece.high)
             clock, before = sample.read(bound.clock), sample.read(piece.values(bound))
-            last = np.clip((memory.level - clock) / (memory.level - press.level), 0.0, 1.0)
+            last = np.clip((memory.press.level - clock) / (memory.press.level - press.level), 0.0, 1.0)
             rings.append(TwistRing(sample, before, clock, np.where(before + twist * last >= 0.0, 1, -1)))
     return rings
 
 
 def _meet(bound: TwistBound, excess: Array, low: float, high: float, rising: bool) -> float:
     """Return where a load meets its bound between two places."""
-    sign = 1.0 if rising else -1.0
-
-    over = bound.panels.reader(sign * excess)
-
+    over = bound.panels.reader(excess if rising else -excess)
     left, right = over(low), over(high)
     if left >= 0.0:
         return low
-    if right <= 0.0:
-        return high
-    last_side = 0
-    for _ in range(BISECTIONS):  # the rule of false position, halving the end that stays (Illinois)
-        middle = low - left * (high - low) / (right - left)
-        if not low < middle < high or high - low <= 1e-15 * high:
-            break
-        middle_value = over(middle)
-        if middle_value == 0.0:
-            return middle
-        if middle_value < 0.0:
-            low, left = middle, middle_value
-            right = 0.5 * right if last_side < 0 else right
-            last_side = -1
-        else:
-            high, right = middle, middle_value
-            left = 0.5 * left if last_side > 0 else left
-            last_side = 1
-    return low if -left < right else high
+    return high if right <= 0.0 else between(over, low, high)
 
 
 def _nested(states: list[tuple[float, int]], radius: float) -> bool:
