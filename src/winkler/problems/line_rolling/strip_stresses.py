@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from winkler.numerics.equations.highest import highest
 from winkler.numerics.surfaces.strip_elements import linear_potential
 from winkler.numerics.types import Array
 from winkler.problems.line.indentation import LineSolution
@@ -73,12 +74,11 @@ def strip_note(strip: RolledStrip, slope: float) -> Note:
 def strip_yield_notes(contact: LineSolution, strip: RolledStrip) -> tuple[Note, ...]:
     """Return whether the body that comes nearest to its strength stays elastic, from stresses on a grid of places."""
     medium, a = contact.problem.bed.medium, float(contact.half_width)
-    x, z = np.meshgrid(a * np.linspace(-1.2, 1.2, ACROSS), a * np.linspace(0.0, 1.5, DOWN), indexing="ij")
-    found = []
+    grid, found = [a * np.linspace(-1.2, 1.2, ACROSS), a * np.linspace(0.0, 1.5, DOWN)], []
     for part in strong_parts(medium):
-        stress = strip_stresses(strip, a, medium.modulus, part.solid.poisson, part.first, x, z).von_mises
-        place = np.unravel_index(int(np.argmax(stress)), stress.shape)
-        found.append((float(stress[place]) / part.solid.strength, float(x[place]), float(z[place]), part))
+        own = medium.modulus, part.solid.poisson, part.first
+        top = highest(lambda *at, own=own: strip_stresses(strip, a, *own, *at).von_mises, grid, rounds=0)
+        found.append((top.value / part.solid.strength, *top.place, part))
     if not found:
         return ()
     share, along, deep, part = max(found, key=lambda one: one[0])
