@@ -15,7 +15,7 @@ import tomli_w
 
 import winkler as wk
 from winkler.cli import main
-from winkler.media.interior.map_peak import greatest_by_depths
+from winkler.media.interior.map_peak import greatest_below
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.normal.elliptic import EllipticSolution
 from winkler.problems.normal.indentation import IndentationSolution
@@ -347,7 +347,7 @@ def test_stresses_below_a_map_are_drawn_over_the_depth():
     assert "on this grid, without friction" in figure.sentence
     solution = shown_point(outcome).solution
     part = solution.problem.medium.first
-    below = greatest_by_depths(solution.surface_load.field(part.poisson), MEASURES)
+    below = greatest_below(solution.surface_load.field(part.poisson), MEASURES)
     for z, values in zip(below.depths, below.values.T, strict=True):
         fields = solution.stresses_at_depth(float(z))
         expected = [np.max(measured(fields, key)) for key in ("von_mises", "max_shear", "orthogonal_shear")]

@@ -17,7 +17,7 @@ from winkler.foundation.sheared import ShearedSprings
 from winkler.media.interior import tensor
 from winkler.media.interior.half_ellipsoid import greatest_in_half_ellipsoid, half_ellipsoid_stresses
 from winkler.media.interior.map_field import MapField
-from winkler.media.interior.map_peak import greatest_below_map
+from winkler.media.interior.map_peak import greatest_below
 from winkler.numerics.equations.highest import highest, highest_of_curve
 from winkler.problems.friction.sheared_springs import sheared_by_pieces
 from winkler.problems.line.greatest_stress import in_strip
@@ -262,7 +262,7 @@ def test_below_a_map(turns, mirrored):
     if turns:
         loads = [np.rot90(part) for part in (loads[0], -loads[2], loads[1])]
     field = MapField(np.stack(loads), (1.0, 1.0), 0.3)
-    found = greatest_below_map(field)
+    (found,) = greatest_below(field, climbed=True).greatest
 
     def stress(x, y, z):
         return tensor.von_mises(tensor.Tensor(*field.at_places(np.stack([x, y, np.maximum(z, 0.5)], axis=1))[:6]))

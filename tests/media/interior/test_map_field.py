@@ -10,7 +10,7 @@ import pytest
 
 from winkler.media.interior.half_ellipsoid import greatest_in_half_ellipsoid, half_ellipsoid_stresses
 from winkler.media.interior.map_field import MapField
-from winkler.media.interior.map_peak import greatest_below_map
+from winkler.media.interior.map_peak import greatest_below
 from winkler.media.interior.periodic_map_field import PeriodicMapField
 from winkler.media.interior.tensor import von_mises
 
@@ -128,7 +128,7 @@ def test_the_greatest_stress_is_that_of_the_half_ellipsoid(ratio, traction):
     expected = greatest_in_half_ellipsoid(von_mises, ratio, 0.3, traction)
     pressure = hill(64, ratio)
     field = MapField(np.stack([pressure, *(part * pressure for part in traction)]), (2.2 / 64,) * 2, 0.3)
-    found = greatest_below_map(field)
+    (found,) = greatest_below(field, climbed=True).greatest
     assert found.value == pytest.approx(expected.value, rel=1.5e-3)
     np.testing.assert_allclose(
         [found.x - 1.1, found.y - 1.1, found.z], [expected.x, ratio * expected.y, ratio * expected.z], atol=1e-3
@@ -140,7 +140,8 @@ def test_a_large_map_is_searched_on_means():
     """A ball of 180 pixels across: the greatest stress is Hertz's 0.620 p0 at 0.481 radii for nu = 0.3."""
     x = (np.arange(198) + 0.5) / 90.0 - 1.1
     pressure = np.sqrt(np.maximum(1.0 - x[:, None] ** 2 - x**2, 0.0))
-    found = greatest_below_map(MapField(np.stack([pressure, 0.0 * pressure, 0.0 * pressure]), (1 / 90.0,) * 2, 0.3))
+    field = MapField(np.stack([pressure, 0.0 * pressure, 0.0 * pressure]), (1 / 90.0,) * 2, 0.3)
+    (found,) = greatest_below(field, climbed=True).greatest
     expected = greatest_in_half_ellipsoid(von_mises, 1.0, 0.3)
     assert found.value == pytest.approx(expected.value, rel=1e-4)
     assert found.z == pytest.approx(expected.z, rel=1e-3)

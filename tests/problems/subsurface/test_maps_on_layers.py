@@ -47,7 +47,7 @@ def test_equal_layers_have_the_field_of_the_half_space(thickness, periodic):
     for z in (0.0, 0.7 * thickness, 1.0001 * thickness + 0.06, 2.0 * thickness + 0.1):
         expected = field.at_depth(z)[:6]
         # waves are those of smooth pressures, pixels are even: they differ as the square of a pixel over the depth
-        assert inside.stresses(z) == pytest.approx(expected, abs=4e-3 * np.max(np.abs(field.at_depth(0.06)[:6])))
+        assert inside.at_depth(z) == pytest.approx(expected, abs=4e-3 * np.max(np.abs(field.at_depth(0.06)[:6])))
 
 
 @pytest.mark.parametrize("contrast", [0.1, pytest.param(10.0, marks=pytest.mark.slow)])
@@ -70,7 +70,7 @@ def test_a_dragged_ball_on_a_coating_by_hankel_integrals(contrast):
         x, y = middle[i], middle[j]
         for depth in (0.5, 1.2):
             z = np.full(x.shape, depth * ratio * a + 0.2 * a)
-            found = inside.stresses(float(z[0]))[:, i, j]
+            found = inside.at_depth(float(z[0]))[:, i, j]
             pushed = medium.dragged_interior(pressed, x, y, z, below=True)
             at = wk.restore_body(
                 wk.Indentation(wk.Foundation(wk.Paraboloid(RADIUS), medium), wk.Force(FORCE)).solve(), x, y, z
@@ -100,7 +100,7 @@ def test_a_wave_of_a_periodic_map_is_that_of_matrix_exponentials(contrast):
     state = inner * (crossed(0.3, -waves * (z - h)) @ (on / inner)) @ amounts
     u, _, t, down = state[0, :, 0]
     main = (2.0 * 0.5 / 1.3 * u + 0.3 * down) / 0.7
-    found = inside.stresses(z)[:, :, 2]
+    found = inside.at_depth(z)[:, :, 2]
     held = -0.3 / 0.7
     assert found[2] == pytest.approx(-1.0 + 0.6 * down * np.cos(k * x), abs=1e-8)
     assert found[0] == pytest.approx(held + 0.6 * main * np.cos(k * x), abs=1e-8)

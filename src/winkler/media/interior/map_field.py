@@ -94,8 +94,8 @@ class MapField(NamedTuple):
             spans.append(slice(int(found[0]), int(found[-1]) + 1) if found.size else slice(0, 1))
         return spans[0], spans[1]
 
-    def at_depth(self, z: float) -> Array:
-        """Return the components of `at_places` below the middles of all pixels at one depth, (9, nx, ny)."""
+    def at_depth(self, z: float, count: int = COMPONENTS) -> Array:
+        """Return the first components of `at_places` below the middles of all pixels at one depth, (count, nx, ny)."""
         import scipy.fft
 
         nx, ny = self.loads.shape[1:]
@@ -105,8 +105,8 @@ class MapField(NamedTuple):
         shape = tuple(scipy.fft.next_fast_len(part.size - 1, True) for part in (x, y))
         kernels = self._kernels(x, y, z)
         sources = scipy.fft.rfft2(self.loads[: len(kernels), self._box[0], self._box[1]], shape, workers=-1)
-        out = np.empty((COMPONENTS, nx, ny))
-        for k in range(COMPONENTS):
+        out = np.empty((count, nx, ny))
+        for k in range(count):
             total = sum(
                 source * scipy.fft.rfft2(kernel[k], shape, workers=-1)
                 for source, kernel in zip(sources, kernels, strict=True)

@@ -1,31 +1,24 @@
-"""The greatest stress of a kind below a map of loads, and its place.
+"""The greatest stresses of some kinds below a map of loads, and their places.
 
-Depths are searched from half a pixel down, each on means over pixels that are small against it.  Of a map that stands
-alone the greatest is climbed to from the best places; of a periodic one, and in layers, depths are tried and a parabola
-leads from pixel to pixel.  Stresses on the surface are those in the middles of the pixels.
+Depths are searched from half a pixel down, each in the middles of pixels on means that are small against it; a parabola
+leads from pixel to pixel.  Of a map that stands alone on a half-space the greatest is climbed to from the best places.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from winkler.media.interior.map_field import MapField
 from winkler.media.interior.peak import StressSpot
-from winkler.media.interior.periodic_map_field import PeriodicMapField
+from winkler.media.interior.rectangle import STRESSES
 from winkler.media.interior.tensor import Measure, Tensor, von_mises
+from winkler.numerics.equations.highest import FEW_PLACES, highest_near
 from winkler.numerics.types import Array
 
-__all__ = [
-    "DeepStresses",
-    "greatest_below_map",
-    "greatest_by_depths",
-    "greatest_of_levels",
-    "greatest_over_depth",
-    "loaded_span",
-]
+__all__ = ["DeepStresses", "greatest_below"]
 
 SHALLOWEST = 0.5
 """Smallest depth below the surface that is searched, in pixels; nearer to it the steps between pixels show."""
@@ -33,119 +26,32 @@ DEPTH_STEP = 1.4
 """Ratio of neighbouring depths of the search."""
 DEEPEST = 0.6
 """Greatest depth of the search over the longer side of the loaded part."""
+NEAR = 0.7
+"""Part of a step by which the search about a given depth begins."""
 MEANS_PER_DEPTH = 2.0
 """Depth over the side of the means that stand for the pixels in the search."""
-MEANS_PER_CLIMB = 8.0
+MEANS_PER_CLIMB = 6.0
 """The same of the first climb; the last one is on the pixels themselves."""
 MOST_CLIMBS = 2
 """Best places of the search from which the greatest is climbed to."""
 NEAR_BEST = 0.97
 """Stress over the greatest of the search above which a place is climbed from."""
 FIRST_STEP, LAST_STEP = 0.3, 0.02
-"""Sides of the simplexes with which climbs begin, over the depth."""
-DEPTH_TOLERANCE, MOST_DEPTHS = 5e-3, 6
-"""Of the depth of a greatest stress below the upper face, and how many depths are tried for it."""
-PLACE_TOLERANCE, VALUE_TOLERANCE = 1e-4, 1e-9
-"""To which part of the depth the place is found, and to which part of itself the stress."""
+"""Half-widths of the boxes with which climbs begin, over the depth."""
+ROUNDS = 3
+"""Boxes about a depth or a place."""
 
 
-def greatest_below_map(field: MapField | PeriodicMapField, measure: Measure = von_mises) -> StressSpot:
-    """Return the greatest stress of a kind and its place, z >= 0.
+class BelowMap(Protocol):
+    """Stresses below a map of loads (3, nx, ny) on pixels of some size."""
 
-    Parameters
-    ----------
-    field
-        With some load.
-    measure
-        Of which kind; von Mises' unless given.
-    """
-    if isinstance(field, PeriodicMapField):
-        levels = np.array([0.0, *_depths(field)])
-        return greatest_of_levels(lambda z: (field.at_depth(z)[:6], field.pixel), levels, 0.0, measure)
-    depths, least = _depths(field), SHALLOWEST * max(field.pixel)
-    surface = _best_at(field, 0.0, measure)
-    found = sorted(
-        (_best_at(_on_means(field, z, MEANS_PER_DEPTH), z, measure) for z in depths), key=lambda spot: -spot.value
-    )
-    starts: list[StressSpot] = []
-    for spot in found:
-        apart = all(np.hypot(spot.x - other.x, spot.y - other.y) > spot.z for other in starts)
-        if len(starts) < MOST_CLIMBS and spot.value >= NEAR_BEST * found[0].value and (not starts or apart):
-            starts.append(spot)
-    if surface.value * NEAR_BEST > found[0].value:
-        return surface
-    tops = [_climbed(_on_means(field, spot.z, MEANS_PER_CLIMB), spot, least, FIRST_STEP, measure) for spot in starts]
-    best = max(tops, key=lambda spot: spot.value)
-    return max(surface, _climbed(field, best, least, LAST_STEP, measure), key=lambda spot: spot.value)
-
-
-def loaded_span(loads: Array, pixel: tuple[float, float]) -> float:
-    """Return the longer side of the loaded part of a map, loads (3, nx, ny)."""
-    loaded = np.any(loads != 0.0, axis=0)
-    sides = [np.flatnonzero(loaded.any(axis=axis)) for axis in (1, 0)]
-    return max(float(part[-1] - part[0] + 1) * size for part, size in zip(sides, pixel, strict=True))
-
-
-def greatest_of_levels(
-    stresses: Callable[[float], tuple[Array, tuple[float, float]]], depths: Array, top: float, measure: Measure
-) -> StressSpot:
-    """Return the greatest stress of a kind and its place, from stresses in the middles of all pixels at some depths.
-
-    Parameters
-    ----------
-    stresses : Callable
-        Depth to stresses (6, nx, ny), and the size of a pixel.
-    depths : ndarray, (n,)
-        First ones, ascending.
-    top : float
-        Depth of the upper face of what is searched.
-    measure
-        Of which kind.
-    """
-    found: dict[float, StressSpot] = {}
-
-    def level(z: float) -> float:
-        if z not in found:
-            rows, (dx, dy) = stresses(z)
-            stress = measure(Tensor(*rows))
-            i, j = (int(part) for part in np.unravel_index(int(np.argmax(stress)), stress.shape))
-            value, moved = float(stress[i, j]), [0.0, 0.0]
-            if z >= SHALLOWEST * max(dx, dy):  # nearer to the surface the steps between pixels show
-                beside = np.arange(-1, 2)
-                for axis, row in enumerate(
-                    (stress[:, j].take(i + beside, mode="wrap"), stress[i].take(j + beside, mode="wrap"))
-                ):
-                    bent = row[0] - 2.0 * row[1] + row[2]
-                    if bent < 0.0:
-                        moved[axis] = float(0.5 * (row[0] - row[2]) / bent)
-                        value -= float((row[0] - row[2]) ** 2 / (8.0 * bent))
-            found[z] = StressSpot(value, (i + 0.5 + moved[0]) * dx, (j + 0.5 + moved[1]) * dy, z)
-        return found[z].value
-
-    greatest_over_depth(level, depths, top)
-    return max(found.values(), key=lambda spot: spot.value)
-
-
-def greatest_over_depth(level: Callable[[float], float], depths: Array, top: float) -> None:
-    """Ask a stress at some depths, and at others between the neighbours of the best of them.
-
-    Parameters
-    ----------
-    level : Callable
-        Depth to stress; it keeps what it has found.
-    depths : ndarray, (n,)
-        Ascending.
-    top : float
-        Depth of the upper face of what is searched.
-    """
-    from scipy.optimize import minimize_scalar
-
-    best = int(np.argmax([level(float(z)) for z in depths]))
-    ends = float(depths[max(best - 1, 0)]), float(depths[min(best + 1, depths.size - 1)])
-    minimize_scalar(
-        lambda z: -level(float(z)), bounds=ends, method="bounded",
-        options={"xatol": DEPTH_TOLERANCE * (ends[1] - top), "maxiter": MOST_DEPTHS},
-    )  # fmt: skip
+    @property
+    def loads(self) -> Array: ...
+    @property
+    def pixel(self) -> tuple[float, float]: ...
+    def at_depth(self, z: float, count: int) -> Array: ...
+    def at_places(self, places: Array) -> Array: ...
+    def coarsened(self, times: int) -> BelowMap: ...
 
 
 class DeepStresses(NamedTuple):
@@ -154,9 +60,9 @@ class DeepStresses(NamedTuple):
     Parameters
     ----------
     depths : ndarray, (n,)
-        From the surface on [m].
+        From the upper face on [m].
     values : ndarray, (kinds, n)
-        The greatest of each kind at each depth [Pa].
+        The greatest of each kind at each depth, in the middles of pixels [Pa].
     greatest
         The greatest of each kind, and its place.
     """
@@ -166,82 +72,134 @@ class DeepStresses(NamedTuple):
     greatest: tuple[StressSpot, ...]
 
 
-def greatest_by_depths(field: MapField | PeriodicMapField, measures: Sequence[Measure]) -> DeepStresses:
-    """Return the greatest stresses of several kinds in the middles of pixels, which costs transforms alone.
+def greatest_below(
+    field: BelowMap,
+    measures: Sequence[Measure] = (von_mises,),
+    top: float = 0.0,
+    bottom: float = math.inf,
+    *,
+    near: float = 0.0,
+    at_depth: Callable[[float], Array] | None = None,
+    climbed: bool = False,
+    rounds: int = ROUNDS,
+) -> DeepStresses:
+    """Return the greatest stresses of several kinds between two depths.
 
     Parameters
     ----------
     field
         With some load.
-    measures
-        Of which kinds.
+    measures : optional
+        Of which kinds; von Mises' unless given.
+    top, bottom : float, optional
+        Faces of a layer [m]; infinite of a base.
+    near : float, optional
+        A depth [m] near which they are sought first.
+    at_depth : callable, optional
+        Stresses in the middles of all pixels at one depth, instead of those of means.
+    climbed : bool, optional
+        Whether they are sought between the pixels, of a `MapField`.
+    rounds : int, optional
+        Boxes about the best depth: two of them are one parabola through the depths of the search.
     """
+    means, seen = {1: field}, dict[tuple[float, float], list[tuple[float, StressSpot]]]()
 
-    def bests(z: float, per_depth: float = MEANS_PER_DEPTH) -> list[StressSpot]:
-        pixels = _on_means(field, z, per_depth)
-        stress = Tensor(*pixels.at_depth(z)[:6])
-        return [_best_of(pixels, measure(stress), z) for measure in measures]
+    def spots(z: float, per_depth: float = MEANS_PER_CLIMB) -> list[tuple[float, StressSpot]]:
+        """Return the greatest of each kind at a depth in the middles of pixels, and between them with its place."""
+        times = 1 if at_depth else max(1, int(z / (per_depth * max(field.pixel))))
+        if times not in means:
+            means[times] = field.coarsened(times)
+        part = means[times]
+        if (z, part.pixel[0]) not in seen:
+            stress = Tensor(*(at_depth(z) if at_depth else part.at_depth(z, STRESSES)))
+            seen[z, part.pixel[0]] = [_best_of(measure(stress), part.pixel, z) for measure in measures]
+        return seen[z, part.pixel[0]]
 
-    depths = [0.0, *_depths(field)]
-    columns = list(zip(*(bests(z) for z in depths), strict=True))
-    found = []
-    for place, spots in enumerate(columns):
-        top = max(range(1, len(depths)), key=lambda row: spots[row].value)
-        if 1 < top < len(depths) - 1:  # a parabola over the logarithm of the depth
-            low, middle, high = (spots[row].value for row in (top - 1, top, top + 1))
-            bend = low - 2.0 * middle + high
-            z = depths[top] * DEPTH_STEP ** (0.5 * (low - high) / bend if bend < 0.0 else 0.0)
-            spots = (*spots, bests(float(z), MEANS_PER_CLIMB)[place])
-        found.append(max(spots, key=lambda spot: spot.value))
-    return DeepStresses(np.array(depths), np.array([[spot.value for spot in spots] for spots in columns]), tuple(found))
+    face, least = float(np.nextafter(top, math.inf)) if top > 0.0 else 0.0, SHALLOWEST * max(field.pixel)
+    lower = min(bottom, top + DEEPEST * math.hypot(_loaded_span(field), top))
+    step = min(max(least, 0.5 * (DEPTH_STEP - 1.0) * top), 0.5 * (lower - top))
+    count = math.ceil(math.log((lower - top) / step, DEPTH_STEP))
+
+    first = -1.0 if top > 0.0 else 0.0
+
+    def depth(line: float) -> float:
+        return face if line == -1.0 else min(top + step * (DEPTH_STEP**line if line > 0.0 else 1.0 + line), lower)
+
+    def refined(kind: int, line: float) -> StressSpot:
+        last: list[StressSpot] = []
+
+        def level(rows: Array) -> Array:
+            per_depth = MEANS_PER_DEPTH if rows.size > 1 and rounds < ROUNDS else MEANS_PER_CLIMB
+            last[:] = [spots(depth(row), per_depth)[kind][1] for row in rows.tolist()]
+            return np.array([spot.value for spot in last])
+
+        side = np.array([NEAR if near else 1.0])
+        highest_near(level, np.array([line]), side, [(first, count)], rounds=rounds, places=FEW_PLACES)
+        return max(*last, spots(depth(line))[kind][1], key=lambda spot: spot.value)
+
+    lines = np.arange(first, count + 1.0).tolist()
+    if near > 0.0:
+        lines = [min(max(math.log(max(near - top, step) / step, DEPTH_STEP), first), float(count))]
+    depths = [face, *map(depth, lines)]
+    columns = list(zip(*(spots(z, MEANS_PER_CLIMB if z == face else MEANS_PER_DEPTH) for z in depths), strict=True))
+    greatest = []
+    for kind, measure in enumerate(measures):
+        on_face, *below = (spot for _, spot in columns[kind])
+        found = [on_face]
+        starts = _starts(lines, below, NEAR_BEST * on_face.value)
+        if climbed:
+            found += [_climbed(field, start, least, measure) for _, start in starts]
+        else:
+            found += [refined(kind, line) for line, _ in starts[:1]]
+        greatest.append(max(found, key=lambda spot: spot.value))
+    return DeepStresses(np.array(depths), np.array([[value for value, _ in each] for each in columns]), tuple(greatest))
 
 
-def _depths(field: MapField | PeriodicMapField) -> list[float]:
-    """Return the depths of the search [m]."""
-    depths, deepest = [SHALLOWEST * max(field.pixel)], DEEPEST * loaded_span(field.loads, field.pixel)
-    while depths[-1] < deepest:
-        depths.append(DEPTH_STEP * depths[-1])
-    return depths
+def _starts(lines: Sequence[float], spots: Sequence[StressSpot], above: float) -> list[tuple[float, StressSpot]]:
+    """Return the best depths, at places that stand apart, from which the greatest is sought."""
+    starts: list[tuple[float, StressSpot]] = []
+    best = max(spot.value for spot in spots)
+    for line, spot in sorted(zip(lines, spots, strict=True), key=lambda each: -each[1].value):
+        apart = all(math.hypot(spot.x - other.x, spot.y - other.y) > spot.z for _, other in starts)
+        if len(starts) < MOST_CLIMBS and spot.value >= max(NEAR_BEST * best, above) and apart:
+            starts.append((line, spot))
+    return starts
 
 
-def _on_means(field: MapField | PeriodicMapField, z: float, per_depth: float) -> MapField | PeriodicMapField:
-    """Return the map on pixels as large as the depth allows; a periodic one as it is."""
-    times = int(z / (per_depth * max(field.pixel)))
-    return field.coarsened(times) if isinstance(field, MapField) and times > 1 else field
+def _loaded_span(field: BelowMap) -> float:
+    """Return the longer side of the loaded part of a map."""
+    loaded = np.any(field.loads != 0.0, axis=0)
+    sides = [np.flatnonzero(loaded.any(axis=axis)) for axis in (1, 0)]
+    return max(float(part[-1] - part[0] + 1) * size for part, size in zip(sides, field.pixel, strict=True))
 
 
-def _best_at(field: MapField | PeriodicMapField, z: float, measure: Measure) -> StressSpot:
-    return _best_of(field, measure(Tensor(*field.at_depth(z)[:6])), z)
+def _best_of(stress: Array, pixel: tuple[float, float], z: float) -> tuple[float, StressSpot]:
+    """Return the greatest value in the middle of a pixel, and that of parabolas through it with its place."""
+    i, j = (int(part) for part in np.unravel_index(int(np.argmax(stress)), stress.shape))
+    value, moved, beside = float(stress[i, j]), [0.0, 0.0], np.arange(-1, 2)
+    if z >= SHALLOWEST * max(pixel):  # nearer to the surface the steps between pixels show
+        for axis, row in enumerate(
+            (stress[:, j].take(i + beside, mode="wrap"), stress[i].take(j + beside, mode="wrap"))
+        ):
+            bent = row[0] - 2.0 * row[1] + row[2]
+            if bent < 0.0:
+                moved[axis] = float(0.5 * (row[0] - row[2]) / bent)
+                value -= float((row[0] - row[2]) ** 2 / (8.0 * bent))
+    x, y = ((at + 0.5 + by) * side for at, by, side in zip((i, j), moved, pixel, strict=True))
+    return float(stress[i, j]), StressSpot(value, x, y, z)
 
 
-def _best_of(field: MapField | PeriodicMapField, stress: Array, z: float) -> StressSpot:
-    i, j = np.unravel_index(int(np.argmax(stress)), stress.shape)
-    return StressSpot(float(stress[i, j]), (float(i) + 0.5) * field.pixel[0], (float(j) + 0.5) * field.pixel[1], z)
+def _climbed(field: BelowMap, start: StressSpot, shallowest: float, measure: Measure) -> StressSpot:
+    """Return the greatest stress near a place: on means, then from there on the pixels themselves."""
+    for times, step in ((max(1, int(start.z / (MEANS_PER_CLIMB * max(field.pixel)))), FIRST_STEP), (1, LAST_STEP)):
+        part = field.coarsened(times) if times > 1 else field
 
+        def stress(*places: Array, part: BelowMap = part) -> Array:
+            return measure(Tensor(*part.at_places(np.stack(places, axis=1))[:STRESSES]))
 
-def _climbed(
-    field: MapField | PeriodicMapField, start: StressSpot, shallowest: float, side: float, measure: Measure
-) -> StressSpot:
-    """Return the greatest stress near a place, by the simplex of Nelder and Mead in units of its depth."""
-    from scipy.optimize import minimize
-
-    middle = np.array([start.x, start.y, start.z])
-
-    def place(step: Array) -> Array:
-        moved = middle + start.z * step
-        moved[2] = max(moved[2], shallowest)
-        return np.asarray(moved)
-
-    def stress(step: Array) -> float:
-        return float(measure(Tensor(*field.at_places(place(step)[None, :])[:6]))[0])
-
-    unit = stress(np.zeros(3))
-    corners = np.vstack([np.zeros(3), side * np.eye(3)])
-    found = minimize(
-        lambda step: -stress(step) / unit,
-        np.zeros(3),
-        method="Nelder-Mead",
-        options={"initial_simplex": corners, "xatol": PLACE_TOLERANCE, "fatol": VALUE_TOLERANCE},
-    )
-    x, y, z = place(found.x).tolist()
-    return StressSpot(float(-found.fun) * unit, x, y, z)
+        ends = [(-math.inf, math.inf), (-math.inf, math.inf), (shallowest, math.inf)]
+        top = highest_near(
+            stress, np.array(start[1:]), np.full(3, step * start.z), ends, rounds=ROUNDS, places=FEW_PLACES
+        )
+        start = StressSpot(top.value, *top.place)
+    return start

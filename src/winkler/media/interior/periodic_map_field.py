@@ -68,11 +68,11 @@ class PeriodicMapField(NamedTuple):
         out[:, 0, 0] = [-held * means[0], -held * means[0], -means[0], 0.0, -means[1], -means[2], 0.0, 0.0, 0.0]
         return out
 
-    def at_depth(self, z: float) -> Array:
+    def at_depth(self, z: float, count: int = COMPONENTS) -> Array:
         """Return stresses and displacements below the middles of all pixels, as `MapField.at_depth`."""
         import scipy.fft
 
-        return np.asarray(scipy.fft.ifft2(self._waves(z), workers=-1).real)
+        return np.asarray(scipy.fft.ifft2(self._waves(z)[:count], workers=-1).real)
 
     def at_places(self, places: Array) -> Array:
         """Return stresses xx, yy, zz, xy, xz, yz and displacements, times 2 G, at places (m, 3), as (9, m)."""
@@ -95,6 +95,10 @@ class PeriodicMapField(NamedTuple):
 
         turn = np.exp(1j * (y - 0.5 * self.pixel[1]) * self._wave_numbers()[1])
         return np.asarray(scipy.fft.ifft(self._waves(z) @ turn, axis=1).real / turn.size)
+
+    def coarsened(self, times: int) -> PeriodicMapField:
+        """Return the map itself: its means over `times` by `times` pixels need not fit its sides."""
+        return self
 
     def exchanged(self) -> PeriodicMapField:
         """Return the same map with x and y exchanged."""

@@ -38,9 +38,9 @@ import math
 from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 
-__all__ = ["COMPONENTS", "corners_at", "sum_corners"]
+__all__ = ["COMPONENTS", "STRESSES", "corners_at", "sum_corners"]
 
-COMPONENTS = 9
+COMPONENTS, STRESSES = 9, 6
 """xx, yy, zz, xy, xz, yz of the stress; displacements along x, y, z, times 2 G."""
 Corner = tuple[float, float, float, float, float, float, float, float, float]
 PER_TURN = 0.5 / math.pi

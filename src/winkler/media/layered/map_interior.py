@@ -16,25 +16,24 @@ a half-space under the same pixels is `winkler.media.interior.map_field`, and wa
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 import numpy as np
 
 from winkler.media.interior.map_field import MapField
-from winkler.media.interior.map_peak import DEEPEST, DEPTH_STEP, SHALLOWEST, greatest_of_levels, loaded_span
-from winkler.media.interior.peak import StressSpot
 from winkler.media.interior.periodic_map_field import PeriodicMapField
-from winkler.media.interior.tensor import Measure, von_mises
+from winkler.media.interior.rectangle import COMPONENTS, STRESSES
 from winkler.media.layered.coated_interior import refuse_unknown_places, wave_states
 from winkler.media.layered.hankel_waves import faded_out
 from winkler.media.layered.sheared_interior import across_states
 from winkler.media.layered.stack import StackBody
-from winkler.media.layered.wave_constants import constants_of
+from winkler.media.layered.wave_constants import WaveConstants, constants_of
 from winkler.media.offers import LayerStack
+from winkler.numerics.chunks import chunks
 from winkler.numerics.types import Array, ComplexArray
 
-__all__ = ["MapInLayers", "greatest_in_layer"]
+__all__ = ["MapInLayers"]
 
 SHORT_WAVES = 8.0
 """Wave number times half the shorter side of the map from which on, over an octave, transforms take over."""
@@ -49,31 +48,41 @@ LONGEST_WAVE = 0.1
 TABLE = 600
 """Wave numbers at which states are computed; between them they are splines in the logarithm."""
 FARTHEST_DECAY = 40.0
-MEANS_PER_DEPTH = 6.0
-"""Depth over the side of the means that stand for the pixels."""
 
 
 class _LoadWaves(NamedTuple):
-    """Some waves of a map: wave numbers and directions (m, n), transforms of the loads (l, m, n), factors of places.
+    """Some waves of a map: wave numbers along x and y, transforms of the loads (l, m, n) with the weights of the waves.
 
-    A transform has the weight of its wave.  Without factors the waves are those of fast transforms of some size.
+    Waves of a `size` are those of fast transforms, which begin in the middle of the first pixel at `origin`.
     """
 
-    k: Array
-    c: Array
-    s: Array
+    kx: Array
+    ky: Array
     loads: ComplexArray
-    along: ComplexArray | None = None
-    aside: ComplexArray | None = None
     size: tuple[int, int] = (0, 0)
+    origin: tuple[float, float] = (0.0, 0.0)
 
-    def summed(self, amplitudes: ComplexArray, shape: tuple[int, ...]) -> Array:
-        """Return the sum of waves of these amplitudes (m, n) in the middles of the pixels of a map."""
+    @property
+    def k(self) -> Array:
+        """Wave numbers in all directions, (m, n)."""
+        return np.hypot(self.kx[:, None], self.ky)
+
+    def on_grid(self, amplitudes: ComplexArray, x: Array, y: Array) -> Array:
+        """Return the sum of waves of these amplitudes (m, n) in the middles x, y of the pixels of a map."""
         import scipy.fft
 
-        if self.along is not None:
-            return np.asarray((self.along @ amplitudes @ self.aside).real)
-        return np.asarray(scipy.fft.irfft2(amplitudes, self.size, workers=-1)[: shape[0], : shape[1]])
+        if self.size[0]:
+            return np.asarray(scipy.fft.irfft2(amplitudes, self.size, workers=-1)[: x.size, : y.size])
+        return np.asarray((np.exp(1j * np.outer(x, self.kx)) @ amplitudes @ np.exp(1j * np.outer(self.ky, y))).real)
+
+    def at_places(self, amplitudes: ComplexArray, x: Array, y: Array) -> Array:
+        """Return the same at places x, y of one shape (p,)."""
+        weights = np.ones(self.ky.size)
+        if self.size[0]:  # the other half of the waves is their complex conjugate
+            weights[1 : (self.size[1] + 1) // 2] = 2.0
+            weights /= math.prod(self.size)
+        along = np.exp(1j * np.outer(x - self.origin[0], self.kx)) @ amplitudes
+        return np.asarray(np.sum(along * np.exp(1j * np.outer(y - self.origin[1], self.ky)) * weights, axis=1).real)
 
 
 class MapInLayers:
@@ -102,27 +111,29 @@ class MapInLayers:
         self.waves = [self._short(), *(() if periodic else self._long())]
 
     def coarsened(self, times: int) -> MapInLayers:
-        """Return the map of the means over `times` by `times` pixels, beginning at the same corner."""
+        """Return the map of the means over `times` by `times` pixels from the same corner; a periodic one as it is."""
+        if self.periodic:
+            return self
         means = MapField(self.loads, self.pixel, 0.0).coarsened(times)
-        return MapInLayers(self.medium, means.loads, means.pixel, periodic=self.periodic)
+        return MapInLayers(self.medium, means.loads, means.pixel)
 
     def _short(self) -> _LoadWaves:
         """Return the shorter waves, of a periodic map all but the mean."""
         import scipy.fft
 
         nx, ny = (size * (1 if self.periodic else 2) for size in self.loads.shape[1:])
-        kx = 2.0 * math.pi * scipy.fft.fftfreq(nx, self.pixel[0])[:, None]
-        ky = 2.0 * math.pi * scipy.fft.rfftfreq(ny, self.pixel[1])[None, :]
-        k = np.hypot(kx, ky)
-        safe, part = np.where(k > 0.0, k, 1.0), np.where(k > 0.0, 1.0, 0.0)
+        kx = 2.0 * math.pi * scipy.fft.fftfreq(nx, self.pixel[0])
+        ky = 2.0 * math.pi * scipy.fft.rfftfreq(ny, self.pixel[1])
+        k = np.hypot(kx[:, None], ky)
+        part = np.where(k > 0.0, 1.0, 0.0)
         if not self.periodic:
             part *= 1.0 - faded_out(k / self.join - 1.0)
         loads = scipy.fft.rfft2(self.loads[self.numbers], (nx, ny), workers=-1)
-        return _LoadWaves(k, kx / safe, ky / safe, loads * part, size=(nx, ny))
+        return _LoadWaves(kx, ky, loads * part, (nx, ny), (0.5 * self.pixel[0], 0.5 * self.pixel[1]))
 
     def _long(self) -> Iterator[_LoadWaves]:
         """Yield the bands of longer waves."""
-        x, y = ((np.arange(n) + 0.5) * side for n, side in zip(self.loads.shape[1:], self.pixel, strict=True))
+        x, y = self.middles
         high, last = self.join, False
         while not last:
             low = high / BAND
@@ -130,70 +141,111 @@ class MapInLayers:
             last = room > LONGEST_PERIOD * max(self.sides) and low < LONGEST_WAVE / self.medium.response.span
             steps = [2.0 * math.pi / (side + room) for side in self.sides]
             counts = [math.ceil(2.0 * high / step) for step in steps]
-            kx, ky = steps[0] * np.arange(-counts[0], counts[0] + 1)[:, None], steps[1] * np.arange(counts[1] + 1)
-            k = np.hypot(kx, ky)
+            kx, ky = steps[0] * np.arange(-counts[0], counts[0] + 1), steps[1] * np.arange(counts[1] + 1)
+            k = np.hypot(kx[:, None], ky)
             part = faded_out(k / high - 1.0) - (0.0 if last else faded_out(k / low - 1.0))
             part *= np.where(ky > 0.0, 2.0, 1.0) * math.prod(steps) / (4.0 * math.pi**2)
-            safe, part = np.where(k > 0.0, k, 1.0), np.where(k > 0.0, part, 0.0)
-            along, aside = np.exp(1j * np.outer(x, kx)), np.exp(1j * np.outer(ky, y))
-            loads = along.conj().T @ self.loads[self.numbers] @ aside.conj().T
-            yield _LoadWaves(k, kx / safe, ky / safe, loads * (part * math.prod(self.pixel)), along, aside)
+            part = np.where(k > 0.0, part * math.prod(self.pixel), 0.0)
+            loads = np.exp(-1j * np.outer(kx, x)) @ self.loads[self.numbers] @ np.exp(-1j * np.outer(y, ky))
+            yield _LoadWaves(kx, ky, loads * part)
             high = low
 
-    def stresses(self, z: float) -> Array:
-        """Return sigma xx, yy, zz, xy, xz, yz [Pa] below the middles of all pixels, (6, nx, ny).
+    @property
+    def middles(self) -> tuple[Array, Array]:
+        """Of the pixels, along x and along y [m]."""
+        x, y = ((np.arange(n) + 0.5) * side for n, side in zip(self.loads.shape[1:], self.pixel, strict=True))
+        return x, y
+
+    def at_depth(self, z: float, count: int = COMPONENTS) -> Array:
+        """Return sigma xx, yy, zz, xy, xz, yz [Pa] and u, v, w [m] below the middles of all pixels, (count, nx, ny).
 
         Parameters
         ----------
         z : float
             Depth [m]; an interface belongs to the upper layer.
+        count : int, optional
+            How many of them.
 
         Raises
         ------
         OutsideValidity
             If it lies in a rigid base, or in a transversely isotropic uppermost layer.
         """
-        refuse_unknown_places(self.body, np.array([z]))
-        shape = self.loads.shape[1:]
-        found = np.zeros((6, *shape))
-        plane, beside, lateral = self._states(z)
-        if z <= self.body.bottoms[0]:
-            kind = PeriodicMapField if self.periodic else MapField
-            found += kind(self.loads, self.pixel, self.body.top.poisson).at_depth(z)[:6]  # type: ignore[union-attr]
-        elif self.periodic:
-            pressure, along, across = np.mean(self.loads, axis=(1, 2))
-            held = lateral * pressure
-            found -= np.array([held, held, pressure, 0.0, along, across])[:, None, None]
-        for waves in self.waves:
-            reach = min(int(np.searchsorted(self.table, float(np.min(waves.k[waves.k > 0.0])))), TABLE - 1)
-            if not (np.any(plane[:, :, reach:]) or np.any(beside[:, reach:])):
-                continue  # they have died out
-            total = np.zeros((6, *waves.k.shape), dtype=complex)
-            turned = self._at(waves.k, beside) if self.numbers[-1] > 0 else np.zeros((2, 1, 1))
-            states = [self._at(waves.k, plane[int(number > 0)]) for number in self.numbers[:2]]
-            for load, number in zip(waves.loads, self.numbers, strict=True):
-                total += _amplitudes(number, waves.c, waves.s, states[min(number, len(states) - 1)], turned) * load
+        found = np.zeros((count, *self.loads.shape[1:]))
+        for waves, total in self._waves_at(z, found, lambda own: own.at_depth(z, count)):
             for row, amplitudes in zip(found, total, strict=True):
-                row += waves.summed(amplitudes, shape)
+                row += waves.on_grid(amplitudes, *self.middles)
         return found
 
-    def _states(self, z: float) -> tuple[Array, Array, float]:
-        """Return stresses of the waves of the table, of tractions down and along (2, 4, m) and across (2, m).
+    def at_places(self, places: Array) -> Array:
+        """Return the same at places (m, 3) on or below the map, as (9, m)."""
+        found = np.zeros((COMPONENTS, len(places)))
+        for z in np.unique(places[:, 2]):
+            (chosen,) = np.nonzero(places[:, 2] == z)
+            part = np.zeros((COMPONENTS, chosen.size))
+            for waves, total in self._waves_at(float(z), part, lambda own: own.at_places(places[chosen])):  # noqa: B023
+                for some in chunks(chosen.size, waves.kx.size):
+                    x, y = places[chosen[some], :2].T
+                    for row, amplitudes in zip(part, total, strict=True):
+                        row[some] += waves.at_places(amplitudes, x, y)
+            found[:, chosen] = part
+        return found
 
-        Those of the former are along, across, down and in shear; of the latter in the plane and down.  The last number
-        is the stress across over that down of a layer that keeps its width.
+    def across(self, y: float, z: float) -> Array:
+        """Return the same on the line at y and depth z, below the middles of the pixels along x, (9, nx)."""
+        x = self.middles[0]
+        return self.at_places(np.stack([x, np.full(x.size, y), np.full(x.size, z)], axis=1))
+
+    def _waves_at(
+        self, z: float, found: Array, own: Callable[[MapField | PeriodicMapField], Array]
+    ) -> Iterator[tuple[_LoadWaves, ComplexArray]]:
+        """Yield waves and the amplitudes of the first components at a depth; add what no wave has to what is found."""
+        refuse_unknown_places(self.body, np.array([z]))
+        plane, beside, solid = self._states(z)
+        if z <= self.body.bottoms[0]:
+            kind, top = PeriodicMapField if self.periodic else MapField, self.body.top
+            found += own(kind(self.loads, self.pixel, top.poisson))  # type: ignore[union-attr]
+            found[STRESSES:] /= 2.0 * top.shear  # type: ignore[union-attr]
+        elif self.periodic:
+            pressure, along, across = np.mean(self.loads, axis=(1, 2))
+            held = solid.lateral * pressure
+            means = np.array([held, held, pressure, 0.0, along, across])
+            found[:STRESSES] -= means.reshape(-1, *(1,) * (found.ndim - 1))
+        for waves in self.waves:
+            k = waves.k
+            reach = min(int(np.searchsorted(self.table, float(np.min(k[k > 0.0])))), TABLE - 1)
+            if not (np.any(plane[:, :, reach:]) or np.any(beside[:, reach:])):
+                continue  # they have died out
+            per_k = 1.0 / np.where(k > 0.0, k, 1.0)
+            total = np.zeros((len(found), *k.shape), dtype=complex)
+            turned = self._at(k, beside) if self.numbers[-1] > 0 else np.zeros((2, 1, 1))
+            states = [self._at(k, plane[int(number > 0)]) for number in self.numbers[:2]]
+            bend = solid.shear * solid.twist
+            for load, number in zip(waves.loads, self.numbers, strict=True):
+                state = states[min(number, len(states) - 1)]
+                c, s = waves.kx[:, None] * per_k, waves.ky * per_k
+                total[:STRESSES] += _amplitudes(number, c, s, state, turned) * load
+                if len(found) > STRESSES:
+                    total[STRESSES:] += _displacements(number, c, s, state, turned[0] / bend) * (load * per_k)
+            yield waves, total
+
+    def _states(self, z: float) -> tuple[Array, Array, WaveConstants]:
+        """Return what the waves of the table give, of tractions down and along (2, 6, m) and across (2, m).
+
+        Of the former these are stresses along, across, down and in shear, and displacements along and down times k; of
+        the latter stresses in the plane and down.  Last are the constants of the solid.
         """
         deepest = max(1, int(np.searchsorted(self.table * z, FARTHEST_DECAY)))
         k, depths = self.table[:deepest], np.array([z])
-        plane, beside = np.zeros((2, 4, TABLE)), np.zeros((2, TABLE))
+        plane, beside = np.zeros((2, 6, TABLE)), np.zeros((2, TABLE))
         for dragged in {number > 0 for number in self.numbers}:
             ((_, state, end),) = wave_states(self.body, depths, k, dragged=dragged)
-            plane[int(dragged), :, :end] = state.weighted(np.ones(end))[:4]
+            plane[int(dragged), :, :end] = state.weighted(np.ones(end))
         solid = constants_of(state.solid)
         if self.numbers[-1] > 0:
             (across,) = across_states(self.body, depths, k)
             beside[:, :deepest] = solid.shear * solid.twist * across.moved, across.loaded
-        return plane, beside, solid.lateral
+        return plane, beside, solid
 
     def _at(self, k: Array, rows: Array) -> Array:
         """Return rows of the table at wave numbers of any shape."""
@@ -203,38 +255,9 @@ class MapInLayers:
         return np.asarray(CubicSpline(logs, rows, axis=1)(np.clip(np.log(np.maximum(k, 1e-300)), logs[0], logs[-1])))
 
 
-def greatest_in_layer(field: MapInLayers, top: float, bottom: float, measure: Measure = von_mises) -> StressSpot:
-    """Return the greatest stress of a kind [Pa] between two depths, and its place [m] from the corner of the map.
-
-    Parameters
-    ----------
-    field : MapInLayers
-        With some load.
-    top, bottom : float
-        Faces of a layer [m]; infinite of the base.
-    measure
-        Of which kind; von Mises' unless given.
-    """
-    lower = min(bottom, top + DEEPEST * math.hypot(loaded_span(field.loads, field.pixel), top))
-    pixel = max(field.pixel)
-    step = max(SHALLOWEST * pixel, 0.5 * (DEPTH_STEP - 1.0) * top)
-    count = max(2, math.ceil(math.log(max(lower - top, step) / step, DEPTH_STEP)) + 1)
-    first = 0.0 if top == 0.0 else float(np.nextafter(top, math.inf))
-    depths = np.clip(top + step * DEPTH_STEP ** np.arange(count), first, lower)
-    means = {1: field}
-
-    def stresses(z: float) -> tuple[Array, tuple[float, float]]:
-        times = 1 if field.periodic else max(1, int(z / (MEANS_PER_DEPTH * pixel)))
-        if times not in means:
-            means[times] = field.coarsened(times)
-        return means[times].stresses(z), means[times].pixel
-
-    return greatest_of_levels(stresses, np.unique([first, *depths]), top, measure)
-
-
 def _amplitudes(number: int, c: Array, s: Array, plane: Array, beside: Array) -> ComplexArray:
     """Return each stress of waves in the directions (c, s) per pressure (0), or traction along x (1) or y (2)."""
-    along, across, down, shear = plane
+    along, across, down, shear = plane[:4]
     turned, aside = beside
     if number == 0:
         even = along * c * c + across * s * s, along * s * s + across * c * c, down, (along - across) * c * s
@@ -249,3 +272,12 @@ def _amplitudes(number: int, c: Array, s: Array, plane: Array, beside: Array) ->
         c * s * (main - other) + (c * c - s * s) * bend,
     )
     return np.array([*(-1j * each for each in odd), c * upright - s * beside_it, s * upright + c * beside_it])
+
+
+def _displacements(number: int, c: Array, s: Array, plane: Array, beside: Array) -> ComplexArray:
+    """Return each displacement times the wave number, as `_amplitudes`."""
+    strain, lift = plane[4:]
+    if number == 0:
+        return np.array([-1j * strain * c, -1j * strain * s, lift + 0j])
+    g, h = (c, -s) if number == 1 else (s, c)
+    return np.array([c * strain * g - s * beside * h, s * strain * g + c * beside * h, 1j * lift * g])

@@ -22,11 +22,10 @@ import numpy as np
 
 from winkler.numerics.types import Array, Curve
 
-__all__ = ["Top", "highest", "highest_of_curve"]
+__all__ = ["Top", "highest", "highest_near", "highest_of_curve"]
 
-PLACES = 5
-UNIT = np.linspace(-1.0, 1.0, PLACES)
-"""Places of a box along one coordinate: their polynomial is of the fourth degree."""
+PLACES, FEW_PLACES = 5, 3
+"""Places of a box along one coordinate: their polynomial is of the fourth degree; of costly functions of the second."""
 MOST_STARTS = 6
 """Local maxima of the grid from which the greatest is sought."""
 MOST_ROUNDS = 45
@@ -89,7 +88,7 @@ def highest(
     starts : int, optional
         Most local maxima of the grid from which the greatest is sought.
     rounds : int, optional
-        Most boxes about each of them, for functions that are costly.
+        Most boxes about each of them, for functions that are costly; with none the best place of the grid is returned.
     above : float, optional
         A value found elsewhere: tops that cannot be greater are given up.
     """
@@ -101,7 +100,7 @@ def highest(
     for index in np.stack(np.unravel_index(at[:starts], values.shape), axis=1):
         centre = np.array([line[i] for line, i in zip(lines, index, strict=True)])
         half = np.array([_gap(line, i) for line, i in zip(lines, index, strict=True)])
-        found = _climbed(field, centre, half, reach, max(best.value, above), rounds)
+        found = highest_near(field, centre, half, reach, rounds=rounds, above=max(best.value, above))
         best = max(best, Top(float(values[tuple(index)]), tuple(centre.tolist())), found, key=lambda top: top.value)
     return _on_line(field, lines, best)
 
@@ -146,13 +145,13 @@ def _on(field: Field, lines: Sequence[Array]) -> Array:
     return np.where(np.isfinite(values), values, -np.inf)
 
 
-def _places(centre: float, half: float, low: float, high: float) -> Array:
+def _places(centre: float, half: float, low: float, high: float, places: int) -> Array:
     """Return the places of a box along one coordinate, cut off at the ends; the middle of a whole one is exact."""
     if half == 0.0:
         return np.array([centre])
     if low <= centre - half and centre + half <= high:
-        return centre + half * UNIT
-    return np.linspace(max(centre - half, low), min(centre + half, high), PLACES)
+        return centre + half * np.linspace(-1.0, 1.0, places)
+    return np.linspace(max(centre - half, low), min(centre + half, high), places)
 
 
 def _gap(line: Array, index: int) -> float:
@@ -160,15 +159,39 @@ def _gap(line: Array, index: int) -> float:
     return float(np.max(np.abs(line[max(index - 1, 0) : index + 2] - line[index])))
 
 
-def _climbed(
-    field: Field, centre: Array, first: Array, ends: Sequence[tuple[float, float]], beat: float, rounds: int
+def highest_near(
+    field: Field,
+    centre: Array,
+    first: Array,
+    ends: Sequence[tuple[float, float]],
+    *,
+    rounds: int = MOST_ROUNDS,
+    above: float = -math.inf,
+    places: int = PLACES,
 ) -> Top:
-    """Return the top about a place, from a box of these half-widths on; less than it if it is below another one."""
+    """Return the top about a place; less than it if it is below another one.
+
+    Parameters
+    ----------
+    field : callable
+        As of `highest`.
+    centre, first : ndarray, (n,)
+        Middle and half-widths of the first box.
+    ends : sequence of tuple of float
+        Between which the box may walk.
+    rounds : int, optional
+        Most boxes.
+    above : float, optional
+        A value found elsewhere.
+    places : int, optional
+        Of a box along one coordinate.  Of `FEW_PLACES` the last box is the top of the polynomial alone.
+    """
     low, high = np.array(ends).T
     half, shrunk, best, before = first, np.zeros(first.size, dtype=bool), Top(-math.inf, ()), centre
     turn = walked = 0
     while turn < rounds and walked < MOST_ROUNDS:
-        lines = [_places(*each) for each in zip(centre, half, low, high, strict=True)]
+        wide = half * (turn < rounds - 1 or places > FEW_PLACES)
+        lines = [_places(*each, places) for each in zip(centre, wide, low, high, strict=True)]
         lower, middle, upper = (np.array([line[part * (line.size - 1) // 2] for line in lines]) for part in range(3))
         values = _on(field, lines)
         at = np.unravel_index(int(np.argmax(values)), values.shape)
@@ -176,7 +199,7 @@ def _climbed(
         best = max(best, Top(value, tuple(place.tolist())), key=lambda top: top.value)
         on_face = (half > 0.0) & (((place == lower) & (lower > low)) | ((place == upper) & (upper < high)))
         about = values[tuple(slice(max(i - 1, 0), i + 2) for i in at)]
-        beaten = turn >= SURE_ROUNDS and not np.any(on_face) and 2.0 * value - float(np.min(about)) <= beat
+        beaten = turn >= SURE_ROUNDS and not np.any(on_face) and 2.0 * value - float(np.min(about)) <= above
         if beaten or float(np.ptp(values)) <= ROUNDING * abs(value):
             break
         top = _fitted_top(values, at)
@@ -206,8 +229,8 @@ def _fitted_top(values: Array, at: Sequence[np.intp]) -> Array:
     if not np.all(np.isfinite(part)):
         return top
     terms = (part - np.max(part)) / np.ptp(part)
-    terms = _along_each(terms, [_fit()] * len(free))
-    place = UNIT[[at[axis] for axis in free]]
+    terms = _along_each(terms, [_fit(len(terms))] * len(free))
+    place = np.linspace(-1.0, 1.0, len(terms))[[at[axis] for axis in free]]
     for _ in range(MOST_STEPS):
         rise, bend = _derivatives(terms, place)
         if not np.all(np.linalg.eigvalsh(bend) < 0.0):
@@ -225,16 +248,16 @@ def _fitted_top(values: Array, at: Sequence[np.intp]) -> Array:
 def _is_smooth(values: Array, at: Sequence[np.intp], axis: int) -> bool:
     """Return whether the values along one coordinate through the best place are those of a smooth top."""
     row = values[tuple(slice(None) if other == axis else i for other, i in enumerate(at))]
-    if row.size < PLACES or not np.all(np.isfinite(row)):
+    if row.size < FEW_PLACES or not np.all(np.isfinite(row)):
         return False
-    _, rise, bend, third, fourth = _fit() @ (row - np.max(row))
-    return bool(bend < 0.0 and abs(rise) <= -2.0 * bend and abs(third) + abs(fourth) <= -SMOOTH * bend)
+    _, rise, bend, *higher = _fit(row.size) @ (row - np.max(row))
+    return bool(bend < 0.0 and abs(rise) <= -2.0 * bend and sum(map(abs, higher)) <= -SMOOTH * bend)
 
 
 def _derivatives(terms: Array, place: Array) -> tuple[Array, Array]:
     """Return the first and the second derivatives of a polynomial of several coordinates at a place."""
-    powers = np.arange(PLACES)
-    factors = np.array([np.ones(PLACES), powers, powers * (powers - 1)])
+    powers = np.arange(len(terms))
+    factors = np.array([np.ones(powers.size), powers, powers * (powers - 1)])
     lower = np.maximum(powers - np.arange(3)[:, None], 0)
     found = _along_each(terms, [factors * x**lower for x in place])
     unit = np.eye(place.size, dtype=int)
@@ -251,9 +274,9 @@ def _along_each(values: Array, matrices: Sequence[Array]) -> Array:
 
 
 @functools.cache
-def _fit() -> Array:
+def _fit(places: int) -> Array:
     """Return the matrix that makes the terms of a polynomial of its values at the places of a box."""
-    return np.linalg.inv(np.vander(UNIT, increasing=True))
+    return np.linalg.inv(np.vander(np.linspace(-1.0, 1.0, places), increasing=True))
 
 
 def _on_line(field: Field, lines: Sequence[Array], best: Top) -> Top:

@@ -11,7 +11,8 @@ import numpy as np
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.line_bed import LineBed
 from winkler.media.offers import PlaneMedium, offers
-from winkler.numerics.types import Quantity
+from winkler.numerics.equations.highest import highest
+from winkler.numerics.types import Array, Quantity
 from winkler.problems.line.greatest_stress import Placed, von_mises
 from winkler.problems.line.layered_stress import NEAR, greatest_in_part
 from winkler.problems.line.peak_pressure import is_sharp, rim_load
@@ -113,10 +114,14 @@ def _beside_sharp(contact: LineContact) -> Placed:
     """Return the greatest von Mises stress on half-circles about the sharp places."""
     bed, a = contact.bed, contact.half_width
     marks = np.array([0.0, a, *(b for b, _ in bed.kinks if b < a)])
-    angle = np.linspace(0.0, math.pi, DIRECTIONS)
-    x = marks[:, None] + AWAY * a * np.cos(angle)
-    z = np.broadcast_to(AWAY * a * np.sin(angle), x.shape)
-    others = np.min(np.hypot(np.abs(x) - marks[:, None, None], z), axis=0) < 0.5 * AWAY * a
-    level = np.where(others, 0.0, von_mises(stresses(contact, x, z)))
-    i, j = np.unravel_index(int(np.argmax(level)), level.shape)
-    return Placed(float(level[i, j]), float(x[i, j]), float(z[i, j]))
+
+    def place(mark: Array | float, angle: Array | float) -> tuple[Array, Array]:
+        return mark + AWAY * a * np.cos(angle), AWAY * a * np.sin(angle)
+
+    def level(mark: Array, angle: Array) -> Array:
+        x, z = place(mark, angle)
+        others = np.min(np.hypot(np.abs(x) - marks[:, None], z), axis=0) < 0.5 * AWAY * a
+        return np.where(others, 0.0, von_mises(stresses(contact, x, z)))
+
+    top = highest(level, [marks, np.linspace(0.0, math.pi, DIRECTIONS)], rounds=0)
+    return Placed(top.value, *map(float, place(*top.place)))

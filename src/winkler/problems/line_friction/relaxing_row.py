@@ -148,7 +148,9 @@ class RelaxingElementRow(ElementRow):
         self.own = bed
         self.bed, self.friction = elastic_line(bed), friction
         alike = medium.in_proportion
-        self.creep = medium.creep if alike else CreepSeries(1.0, 0.0, np.ones(medium.rates.times.size), medium.rates.times)
+        self.creep = (
+            medium.creep if alike else CreepSeries(1.0, 0.0, np.ones(medium.rates.times.size), medium.rates.times)
+        )
         self.path, self.modulus = path, self.bed.medium.modulus
         self.most = friction * float(np.max(path.across))
         rows = [self._times(n) for n in range(path.moments.size)]
@@ -158,7 +160,9 @@ class RelaxingElementRow(ElementRow):
         self.elements = elements_for(self.bed, half_widths[ends])
         self.unit = self.modulus * self.elements.scale
         self.sheared = (
-            ElementsAlike(self.elements, self.bed, self.creep) if alike else ElementsApart(self.elements, self.bed, medium)
+            ElementsAlike(self.elements, self.bed, self.creep)
+            if alike
+            else ElementsApart(self.elements, self.bed, medium)
         )
         arriving = self._arriving(rows, half_widths)
         if [row.size for row in arriving] != [row.size for row in rows]:  # the edge of the contact moves

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from winkler.numerics.equations.highest import highest
 from winkler.numerics.surfaces.strip_elements import linear_potential
 from winkler.numerics.types import Array
 from winkler.problems.line.greatest_stress import Placed
@@ -71,11 +72,10 @@ def strip_note(strip: RolledStrip, slope: float) -> Note:
 def strip_yield_notes(contact: LineSolution, strip: RolledStrip) -> tuple[Note, ...]:
     """Return whether the body that comes nearest to its strength stays elastic, from stresses on a grid of places."""
     medium, a = contact.problem.bed.medium, float(contact.half_width)
-    x, z = np.meshgrid(a * np.linspace(-1.2, 1.2, ACROSS), a * np.linspace(0.0, 1.5, DOWN), indexing="ij")
-    found = []
+    grid, found = [a * np.linspace(-1.2, 1.2, ACROSS), a * np.linspace(0.0, 1.5, DOWN)], []
     for part in strong_parts(medium):
-        stress = strip_stresses(strip, a, medium.modulus, part.solid.poisson, part.first, x, z).von_mises
-        place = np.unravel_index(int(np.argmax(stress)), stress.shape)
-        z_of_part = z if part.first else -z
-        found.append((Placed(float(stress[place]), float(x[place]), float(z_of_part[place])), part))
+        own = medium.modulus, part.solid.poisson, part.first
+        top = highest(lambda *at, own=own: strip_stresses(strip, a, *own, *at).von_mises, grid, rounds=0)
+        along, deep = top.place
+        found.append((Placed(top.value, along, deep if part.first else -deep), part))
     return (elastic_note(*nearest_to_strength(found), Standing.APPROXIMATE),) if found else ()

@@ -10,6 +10,7 @@ import numpy as np
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.periodic import PeriodicBed, in_closed_form
+from winkler.numerics.equations.highest import highest
 from winkler.problems.line.greatest_stress import Placed, greatest, von_mises
 from winkler.problems.line.peak_pressure import is_sharp
 from winkler.problems.line.stress import LineContact, Strip, stresses
@@ -100,6 +101,5 @@ def _on_grid(contact: LineContact) -> Placed:
     """Return the greatest von Mises stress on a grid below the strip, where a finer search would take too long."""
     a = contact.half_width
     x, z = a * np.linspace(0.0, WIDEST, PLACES), a * np.geomspace(SHALLOWEST, DEEPEST, PLACES)
-    level = von_mises(stresses(contact, x[:, None], z[None, :]))
-    i, j = np.unravel_index(int(np.argmax(level)), level.shape)
-    return Placed(float(level[i, j]), float(x[i]), float(z[j]))
+    top = highest(lambda across, down: von_mises(stresses(contact, across, down)), [x, z], rounds=0)
+    return Placed(top.value, *top.place)

@@ -10,7 +10,7 @@ import numpy as np
 from winkler.foundation.sheared_fields import BodyFields
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.media.interior.map_peak import greatest_below_map
+from winkler.media.interior.map_peak import greatest_below
 from winkler.media.interior.peak import StressSpot
 from winkler.media.offers import LayerStack, offers
 from winkler.numerics.caching import cached_by_value
@@ -59,7 +59,8 @@ def _scaled(places: tuple[Array, Array, Array], found: Array, solid: Elastic) ->
 @functools.lru_cache(maxsize=16)
 def greatest_stress(load: SurfaceLoad, solid: Elastic) -> StressSpot:
     """Return the greatest von Mises stress [Pa] in a half-space and its place [m], z >= 0."""
-    return _placed(greatest_below_map(load.field(solid.poisson)), load)
+    found = greatest_below(load.field(solid.poisson), climbed=not load.periodic)
+    return _placed(found.greatest[0], load)
 
 
 @cached_by_value(maxsize=8)  # what is said of yielding and the summary ask for the same
@@ -76,11 +77,11 @@ def greatest_in_parts(load: SurfaceLoad, medium: object, parts: tuple[StrongPart
     """
     if not offers(medium, LayerStack):
         return tuple(greatest_stress(load if part.first else load.reversed(), part.solid) for part in parts)
-    from winkler.media.layered.map_interior import MapInLayers, greatest_in_layer  # loaded with layers
+    from winkler.media.layered.map_interior import MapInLayers  # loaded with layers
 
     inside = MapInLayers(medium, load.loads, load.pixel, periodic=load.periodic)
     return tuple(
-        _placed(greatest_in_layer(inside, part.top, part.bottom), load)
+        _placed(greatest_below(inside, top=part.top, bottom=part.bottom).greatest[0], load)
         if part.first
         else greatest_stress(load.reversed(), part.solid)
         for part in parts

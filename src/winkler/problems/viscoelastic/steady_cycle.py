@@ -253,9 +253,7 @@ class Settling:
         )
 
 
-def _layered_cycle(
-    owner: str, bed: Bed, law: Coulomb, swing: Swing, count: int, tolerance: float
-) -> SteadyCycle:
+def _layered_cycle(owner: str, bed: Bed, law: Coulomb, swing: Swing, count: int, tolerance: float) -> SteadyCycle:
     """Return the cycle that repeats on layers that relax each by a law of its own, as of `steady_cycle`.
 
     After every cycle what cells remember is mixed with what they did.
@@ -290,9 +288,7 @@ def _layered_cycle(
             force.append(state.load)
         point, pressing = state.pressed, row.march.lost - lost
         numbers = (*point.numbers()[:4], pressing, point.stored, pressing)
-        contact = ViscoelasticState(
-            *numbers, bed, row.place, point.state.load, row.cells.displacement(point.state)
-        )
+        contact = ViscoelasticState(*numbers, bed, row.place, point.state.load, row.cells.displacement(point.state))
         stuck = abs(row.stiffness(point.state.held, 2.0 * math.pi / period))
         cycle = SteadyCycle(
             np.array(shift), np.array(force), state.friction, state.bulk + pressing, pressing, math.inf, False, contact,

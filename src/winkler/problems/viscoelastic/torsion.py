@@ -21,9 +21,9 @@ from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.ring_slip.twisted_layers import twisted_layer_notes
 from winkler.problems.round_march import RoundTwist
-from winkler.problems.viscoelastic.march import elastic_like
 from winkler.problems.viscoelastic.layered_drag import dragged_layers
 from winkler.problems.viscoelastic.layered_path import is_layered
+from winkler.problems.viscoelastic.march import elastic_like
 from winkler.problems.viscoelastic.tangential import DraggedCells, columns, dragged, layered_columns
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words

@@ -114,12 +114,12 @@ def _stresses_over_depth(point: SolvedPoint) -> tuple[Sheet, str] | None:
     found = pressed_map(point)
     if found is None or not isinstance(found[0], HalfSpace) or found[1].pressure.size > MOST_PIXELS:
         return None
-    from winkler.media.interior.map_peak import greatest_by_depths
+    from winkler.media.interior.map_peak import greatest_below
     from winkler.problems.normal.strong_parts import solid_parts
 
     medium, load, under = found
     part = solid_parts(medium)[0]
-    below = greatest_by_depths((load if part.first else load.reversed()).field(part.solid.poisson), MEASURES)
+    below = greatest_below((load if part.first else load.reversed()).field(part.solid.poisson), MEASURES, rounds=2)
     names = [measure.__name__ for measure in MEASURES]
     greatest = {name: (spot.value, spot.z) for name, spot in zip(names, below.greatest, strict=True)}
     tractions = "with its tractions" if np.any(load.loads[1:]) else "without friction"

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import functools
 import math
 
 import numpy as np
 
 from winkler.loading.loads import Force
 from winkler.media.interior.map_field import MapField
-from winkler.media.interior.map_peak import greatest_below_map, greatest_over_depth
+from winkler.media.interior.map_peak import greatest_below
 from winkler.media.interior.peak import StressSpot
+from winkler.media.interior.rectangle import STRESSES
 from winkler.media.interior.tensor import Measure, Tensor, von_mises
 from winkler.media.layered.map_interior import MapInLayers
 from winkler.numerics.types import Array
@@ -27,11 +29,6 @@ FEWEST_PIXELS, MOST_PIXELS, PIXEL_STEP = 64, 128, 32
 """along each side of the map of pressures, not less and not more."""
 MOST_SLENDER = 6.0
 """Ratio of the semi-axes of Hertz up to which stresses in layers are summed over directions in seconds."""
-DEEPEST = 3.0
-"""Greatest depth that is searched, over the width over which the load is spread there."""
-DEPTHS = 8
-NEAR = 1.25
-"""Ratio of depths about the one found under another force, within which the greatest stress is sought first."""
 STRESS_ERROR = 5e-4
 """Of sums over waves, over the greatest stress, measured on equal layers and against the round engine;"""
 PIXEL_SAFETY = 2.0
@@ -105,18 +102,21 @@ class EllipseInLayers:
             On the map of half as many pixels along a side.
         """
         pressed = self._map(force, coarse)
-        if not part.first:
-            p = pressed.pressure
-            loads = np.stack([p, self.traction[0] * p, self.traction[1] * p])
-            found = greatest_below_map(MapField(loads, pressed.pixel, part.solid.poisson), measure)
-            middle = [0.5 * size * side for size, side in zip(p.shape, pressed.pixel, strict=True)]
-            return StressSpot(found.value, found.x - middle[0], found.y - middle[1], -found.z)
-        return self._in_layer(coarse, part, measure, near)
+        middle = [0.5 * size * side for size, side in zip(pressed.pressure.shape, pressed.pixel, strict=True)]
+        if part.first:
+            below = functools.partial(self._stresses, coarse)
+            found = greatest_below(self._below(coarse), [measure], part.top, part.bottom, near=near, at_depth=below)
+        else:
+            loads = np.multiply.outer([1.0, *self.traction], pressed.pressure)
+            found = greatest_below(MapField(loads, pressed.pixel, part.solid.poisson), [measure], climbed=True)
+        (spot,) = found.greatest
+        sign = 1.0 if part.first else -1.0
+        return StressSpot(spot.value, spot.x - middle[0], spot.y - middle[1], sign * spot.z)
 
     def at_depth(self, force: float, z: float, measure: Measure) -> float:
         """Return the greatest stress of a kind [Pa] at a depth z >= 0 [m] in the first body, on the coarse map."""
         self._map(force, True)
-        return self._level(z, measure, True).value
+        return float(np.max(measure(Tensor(*self._stresses(True, z)))))
 
     def _map(self, force: float, coarse: bool) -> PressedMap:
         """Return the pressures under a force, and keep them with the stresses below them until another is given."""
@@ -134,14 +134,10 @@ class EllipseInLayers:
             self.inside[coarse] = MapInLayers(self.medium, loads, pressed.pixel)  # type: ignore[arg-type]
         return self.inside[coarse]
 
-    def _level(self, z: float, measure: Measure, coarse: bool) -> StressSpot:
-        below = self._below(coarse)
+    def _stresses(self, coarse: bool, z: float) -> Array:
         if (coarse, z) not in self.levels:  # each kind of stress is one number of the same six
-            self.levels[coarse, z] = below.stresses(z)
-        level = measure(Tensor(*self.levels[coarse, z]))
-        i, j = np.unravel_index(int(np.argmax(level)), level.shape)
-        (dx, dy), (wide, long) = below.pixel, below.sides
-        return StressSpot(float(level[i, j]), (float(i) + 0.5) * dx - 0.5 * wide, (float(j) + 0.5) * dy - 0.5 * long, z)
+            self.levels[coarse, z] = self._below(coarse).at_depth(z, STRESSES)
+        return self.levels[coarse, z]
 
     def _pressed(self, force: float) -> tuple[PressedMap, PressedMap]:
         medium, load = self.medium, Force(force)
@@ -152,26 +148,3 @@ class EllipseInLayers:
         if pixels <= FEWEST_PIXELS:
             return coarse, fine
         return pressed_ellipse(self.bodies, medium, load, pixels)  # type: ignore[arg-type]
-
-    def _in_layer(self, coarse: bool, part: StrongPart, measure: Measure, near: float) -> StressSpot:
-        """Return the greatest stress between two depths, near one of them or on all of the span."""
-        top = np.nextafter(part.top, math.inf) if part.top > 0.0 else 0.0
-        found: dict[float, StressSpot] = {}
-
-        def level(z: float) -> float:
-            if z not in found:
-                found[z] = self._level(z, measure, coarse)
-            return found[z].value
-
-        wide = math.hypot(0.5 * min(self._below(coarse).sides), part.top)
-        lower = min(part.bottom, part.top + DEEPEST * wide)
-        if near > 0.0:
-            depths = np.unique(np.clip([near / NEAR, near, near * NEAR], top, lower))
-            best = int(np.argmax([level(float(z)) for z in depths]))
-            if not 0 < best < depths.size - 1 and depths[best] not in (top, lower):
-                return self._in_layer(coarse, part, measure, 0.0)
-        else:
-            deep = part.top + (lower - part.top) * np.geomspace(0.01, 1.0, DEPTHS)
-            depths = np.unique(np.clip(np.concatenate([[top, part.top + 0.5 * (lower - part.top)], deep]), top, lower))
-        greatest_over_depth(level, depths, part.top)
-        return max(found.values(), key=lambda spot: spot.value)

@@ -328,7 +328,7 @@ def _map(point: SolvedPoint) -> ElasticState | None:
     found = pressed_map(point)
     if found is None or not (isinstance(found[0], HalfSpace) or offers(found[0], LayerStack)):
         return None
-    from winkler.media.interior.map_peak import greatest_by_depths
+    from winkler.media.interior.map_peak import greatest_below
     from winkler.problems.subsurface.below_surface import greatest_in_parts, greatest_stress
 
     medium, load, under = found
@@ -351,7 +351,7 @@ def _map(point: SolvedPoint) -> ElasticState | None:
     def on_grid(part: StrongPart) -> dict[tensor.Measure, Deep]:
         acting = load if part.first else load.reversed()
         field = acting.field(part.solid.poisson)
-        spots = greatest_by_depths(field, MEASURES).greatest
+        spots = greatest_below(field, MEASURES, rounds=2).greatest
         found: dict[tensor.Measure, Deep] = {}
         found |= {measure: Deep(spot.value, spot.z) for measure, spot in zip(MEASURES, spots, strict=True)}
         if part.solid.strength < math.inf:  # between the pixels, as the statement on yield
