@@ -10,8 +10,6 @@ from winkler.plot.panel import Sheet
 from winkler.profiles.profile import Shape
 from winkler.values.errors import InvalidInput
 
-__all__ = ["sheet_of", "without_extent"]
-
 DRAWABLE = (
     "a profile, a Foundation, PlaneFoundation or MeasuredBed, a coated, graded or viscoelastic half-space, a solid "
     "that relaxes, a height map or a spectrum, a solution of a problem, restored fields, a Staircase, a ForceCurve, "

@@ -49,8 +49,6 @@ if TYPE_CHECKING:
     from winkler.plot.picture import Picture
     from winkler.plot.render import Place
 
-__all__ = ["draw"]
-
 
 @overload
 def draw(item: Any, *, extent: float | None = None, ax: None = None) -> Picture: ...

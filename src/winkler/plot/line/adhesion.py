@@ -11,8 +11,6 @@ from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, zero
 from winkler.plot.series import places, scale_of, series
 from winkler.problems.line.adhesion import LineAdhesionSolution
 
-__all__ = ["line_adhesion_sheet"]
-
 PULL_DRAWN = 1.5
 """Deepest tension that is drawn, over the greatest pressure or the tension in the middle."""
 

@@ -24,20 +24,6 @@ from winkler.problems.line.layered_approach import has_depth
 from winkler.problems.line.shakedown import LineShakedownSolution
 from winkler.problems.line.yielding import LineYieldOnsetSolution
 
-__all__ = [
-    "across",
-    "distance_panel",
-    "flat",
-    "line_sheet",
-    "line_yield_sheet",
-    "mirrored",
-    "one_strip",
-    "over",
-    "pressure_axis",
-    "pressures_over",
-    "surface_panel",
-]
-
 ACROSS, DOWN = 81, 49
 """Places of a map of stresses."""
 

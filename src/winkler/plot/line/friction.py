@@ -20,8 +20,6 @@ from winkler.problems.line_friction.states import LineTangentialState
 from winkler.problems.line_friction.tangential import LineTangentialSolution
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["line_tangential_sheet", "line_tangential_state_sheet"]
-
 ACROSS, DOWN = 81, 41
 """Places of a map of stresses."""
 WIDTHS_DRAWN, STRESS_WIDTHS_DRAWN = 1.25, 2.0

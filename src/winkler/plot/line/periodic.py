@@ -12,8 +12,6 @@ from winkler.plot.panel import Line, Panel, Sheet, titled
 from winkler.plot.series import with_unit
 from winkler.problems.line_strips.periodic import PeriodicSolution
 
-__all__ = ["periodic_sheet"]
-
 PLACES = 481
 
 

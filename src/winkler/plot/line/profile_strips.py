@@ -11,8 +11,6 @@ from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, points, titled
 from winkler.plot.series import scale_of, series, with_unit
 from winkler.problems.line_strips.profile_contact import LineProfileSolution
 
-__all__ = ["strips_sheet"]
-
 PLACES, INSIDE = 1201, 65
 """Places along the section and on each strip."""
 BESIDE = 0.15

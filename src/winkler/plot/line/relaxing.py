@@ -13,8 +13,6 @@ from winkler.plot.series import scale_of, series, with_unit
 from winkler.problems.line_viscoelastic.indentation import LineViscoelasticSolution
 from winkler.problems.line_viscoelastic.states import LineViscoelasticState
 
-__all__ = ["line_viscoelastic_sheet", "line_viscoelastic_state_sheet"]
-
 PLACES = 401
 BESIDE = 1.15
 """Range of a picture over the half-width."""

@@ -15,8 +15,6 @@ from winkler.plot.series import scale_of, series, with_unit
 from winkler.problems.rollers.roller_contact import RollerSolution
 from winkler.problems.rollers.roller_state import RollerState
 
-__all__ = ["roller_sheet"]
-
 FEWEST_LOADS = 2
 SHARP_ROOM = 1.8
 """What is drawn of a pressure that is infinite at a sharp end, over the median along the roller."""

@@ -22,8 +22,6 @@ from winkler.problems.line_rolling.start_states import DRAGGED
 from winkler.problems.line_rolling.steady import LineRollingSolution
 from winkler.problems.rolling.creepage import Creepage
 
-__all__ = ["line_resistance_sheet", "line_rolling_sheet", "line_rolling_start_sheet"]
-
 POINTS, STRIP_POINTS, COUPLED_POINTS = 121, 41, 15
 """Of a creep curve in closed form, on elements, and on elements with coupling, which take longer."""
 BEYOND_SLIDING = 1.35

@@ -24,8 +24,6 @@ from winkler.problems.wear.line_states import LineFrettingState, LineWearState
 from winkler.problems.wear.sliding import SlidingSolution
 from winkler.problems.wear.states import FrettingState, WearState, WornState
 
-__all__ = ["moment_panels"]
-
 MOST_STATES = 6
 """Most states drawn together."""
 MOST_IN_COLUMN = 4
@@ -87,7 +85,7 @@ def limiting_sheet(item: LimitingSolution) -> Sheet:
     def pressure(r: Array) -> Array:
         return np.asarray(bed.medium.pressure(pressed.pressed, r))
 
-    before = Unworn(bed.height, float(pressed.radius), pressure, float(pressed.mean_pressure))
+    before = BeforeWear(bed.height, float(pressed.radius), pressure, float(pressed.mean_pressure))
     return limit_sheet(item, before, item.stick_radius, item.radius, end, f"$V$ = {with_unit(item.worn_volume, 'm^3')}")
 
 
@@ -96,13 +94,13 @@ def line_limiting_sheet(item: LineLimitingSolution) -> Sheet:
     """Return the same of a strip."""
     bed = item.problem.bed
     pressed = LineIndentation(bed, item.problem.normal).solve()
-    before = Unworn(bed.profile.height, float(pressed.half_width), pressed.pressure, float(pressed.mean_pressure))
+    before = BeforeWear(bed.profile.height, float(pressed.half_width), pressed.pressure, float(pressed.mean_pressure))
     lost = f"$V'$ = {with_unit(item.worn_volume_per_length, 'm^2')}"
     end = min(RADII_DRAWN * item.half_width, bed.reach, bed.rim)
     return limit_sheet(item, before, item.stick_half_width, item.half_width, end, lost, LineWearState)
 
 
-class Unworn(NamedTuple):
+class BeforeWear(NamedTuple):
     """The contact before wear: its shape, radius or half-width [m], pressure, and mean pressure [Pa]."""
 
     height: Callable[[Array], Array]
@@ -113,7 +111,7 @@ class Unworn(NamedTuple):
 
 def limit_sheet(
     item: LimitingSolution | LineLimitingSolution,
-    unworn: Unworn,
+    unworn: BeforeWear,
     core: float,
     radius: float,
     end: float,
@@ -126,7 +124,7 @@ def limit_sheet(
     ----------
     item
         The limit.
-    unworn : Unworn
+    unworn : BeforeWear
     core, radius, end : float
         What sticks, the contact, and how far is drawn [m].
     lost : str

@@ -5,8 +5,6 @@ from __future__ import annotations
 from winkler.study.chapters.answer import Kinds
 from winkler.study.chapters.kind import kind
 
-__all__ = ["RELAXING_BODIES"]
-
 RUBBER = {"kind": "standard_solid", "relaxed_shear": "1 MPa", "shear": "3 MPa", "relaxation_time": "0.1 s"}
 FILM = {"kind": "elastic", "young": "2.98 MPa", "poisson": 0.49}
 

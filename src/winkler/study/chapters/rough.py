@@ -7,8 +7,6 @@ from typing import Any
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.kind import kind
 
-__all__ = ["ROUGH"]
-
 BLASTED = {
     "kind": "self_affine",
     "hurst": 0.8,

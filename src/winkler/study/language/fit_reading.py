@@ -29,8 +29,6 @@ from winkler.study.language.study import Output
 from winkler.values.errors import InvalidInput, WinklerError, suggest
 from winkler.values.limits import MOST_CURVES
 
-__all__ = ["parse_fit_study", "read_fit_study"]
-
 PLACEHOLDER = {"kind": "depth", "depth": "0 m"}
 PLACEHOLDER_TURNS = {"kind": "depth", "depth": ["0 m"]}
 PLACEHOLDER_PATH = {"kind": "path", "time": ["0 s"], "normal": PLACEHOLDER}

@@ -37,8 +37,6 @@ from winkler.study.nanoindentation.keys import UNITS
 from winkler.values.errors import InvalidInput, WinklerError, suggest
 from winkler.values.value import value
 
-__all__ = ["NanoindentationStudy", "is_nanoindentation", "read_nanoindentation_study"]
-
 SECTIONS = ("indentation", "calibration")
 TOP = ("title", *SECTIONS, "indenter", "output", "expect", "source", "grade")
 OF_OUTPUT = ("folder", "figures", "report", "workbook")
