@@ -148,8 +148,6 @@ CONDUCTION = Chapter(
             "thermal_interface": kind(
                 "winkler.laws.film:ThermalInterface",
                 en="kapitza boundary resistance thermal film thermal paste layer",
-                de="",
-                fr="",
                 interface_conductance="1e7 W/(m^2 K)",
             ),
         },
@@ -171,8 +169,6 @@ CONDUCTION = Chapter(
                 "winkler.laws.current:WiedemannFranz",
                 "kohlrausch_1900",
                 en="wiedemann-franz lorenz number",
-                de="",
-                fr="",
                 lorenz_number="2.44e-8 V^2/K^2",
             ),
         },

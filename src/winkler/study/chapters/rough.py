@@ -133,7 +133,6 @@ ROUGH = Chapter(
                 "winkler.laws.attraction:LennardJones",
                 "greenwood_1997",
                 en="lennard-jones potential surface potential attraction",
-                de="",
                 fr="potentiel",
                 problem="surface_adhesion",
                 work="50 mJ/m^2",

@@ -197,8 +197,6 @@ LINE = Chapter(
                 "lundberg_1939",
                 "fujiwara_kawase_2007",
                 en="lundberg profile logarithmic roller profile",
-                de="",
-                fr="",
                 problem="roller_contact",
                 design_force_per_length="1 kN/mm",
             ),
