@@ -18,8 +18,8 @@ from winkler.study.batch.journal import Journal
 from winkler.study.batch.run import run
 from winkler.study.batch.sweep import solve_points
 from winkler.study.language.designs import Sensitivity, Sobol
-from winkler.study.language.study import Axis, Study
-from winkler.study.language.varied import Range
+from winkler.study.language.study import Study
+from winkler.study.language.varied import Axis, Range
 
 pytestmark = pytest.mark.bench
 

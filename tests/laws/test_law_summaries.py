@@ -25,8 +25,8 @@ from winkler.study.chapters.contents import answers
 from winkler.study.language.explain import example_study
 from winkler.study.language.reading import parse_study
 from winkler.study.report.figures import figures_of
-from winkler.study.report.headline.elastic_state import MEASURES, elastic_state, stressed_contact
-from winkler.study.report.headline.shown_contact import shown_contact, shown_point
+from winkler.study.report.headline.elastic_state import MEASURES, elastic_state
+from winkler.study.report.headline.shown_contact import shown_contact, shown_point, stressed_contact
 from winkler.study.report.headline.summary import CALLED, contact_summary
 from winkler.values.units import quantity
 

@@ -12,7 +12,8 @@ from winkler.loading.loads import Force
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.arrays import cast, dot, given, library_of, namespace_of, to_numpy
-from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, press
+from winkler.numerics.surfaces.pressed_box import ByDepth, ByLoad
+from winkler.numerics.surfaces.pressed_grid import press
 from winkler.numerics.surfaces.punched_grid import punch
 from winkler.problems.rough.surface_contact import SurfaceContact
 from winkler.profiles.rough.topography import Topography

@@ -43,6 +43,13 @@ def kinds_in(table: object) -> set[str]:
     return here.union(*map(kinds_in, table.values()))
 
 
+def pictured(name: str, solution: type) -> bool:
+    """Return whether a picture is registered; of an answer without one, whether that of its example is drawn."""
+    if any(base in sheet_of.registry for base in solution.__mro__[:-1]):
+        return True
+    return bool(sheet_of(build(example_study(name)["problem"]).solve()).panels)
+
+
 def missing(name: str, result: Answer, docs: Path, cases: set[str]) -> list[str]:
     """Return what is missing of one record."""
     problem = result.kind.cls
@@ -55,7 +62,7 @@ def missing(name: str, result: Answer, docs: Path, cases: set[str]) -> list[str]
     drawn = {word for pair in result.curves for word in pair} | set(result.compared)
     marches = hasattr(problem, "steps") or "states" in fields
     checks = {
-        "a picture, registered with winkler.plot.draw": sheet_of.dispatch(solution) is not sheet_of.dispatch(object),
+        "a picture, of its own or of its numbers or contact": pictured(name, solution),
         "a caption, of its own or of a contact that is shown": result.picture
         or result.pictured is not PicturedContact.NONE,
         "formulas": result.formulas(build(example_study(name)["problem"])),

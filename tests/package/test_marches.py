@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
-import dataclasses
-import inspect
-import typing
-
 import numpy as np
 import pytest
 from answer_types import hints_of, names_of, public_problems
 from example_answers import lasting_slow, solved
 
 from winkler.io.processes.stopping import INTERRUPTED
-from winkler.plot import sheet_of
 from winkler.problems.answer import is_march
 from winkler.problems.last_cycle import Cycled, Looped
 from winkler.study.batch.marching import solve_march
@@ -117,15 +112,6 @@ def test_stages_of_half_an_impact_end_where_it_was_stopped():
         assert half.stages[-1].end == half.time[-1]
         for part, full in zip(half.stages[:-1], whole.stages, strict=False):
             assert part == full
-
-
-@pytest.mark.parametrize("name", PROBLEMS)
-def test_every_answer_has_a_picture(name):
-    result = typing.get_type_hints(inspect.unwrap(PROBLEMS[name].cls.solve))["return"]
-    assert dataclasses.is_dataclass(result)
-    assert sheet_of.dispatch(result) is not sheet_of.dispatch(object), (
-        f"register a picture of {result.__name__} in winkler.plot"
-    )
 
 
 def test_each_path_that_loses_energy_has_the_numbers_of_its_cycle():

@@ -98,6 +98,44 @@ def test_the_search_for_tricks_finds_them():
     assert tricks(ast.walk(ast.parse(fine))) == []
 
 
+LISTED = ("numerics/", "plot/", "study/")
+"""Packages without lists of names: `__all__` stands where a module passes on names of others."""
+
+LISTED_STILL = {"numerics/equations/highest.py", "numerics/pixels/mixed.py", "numerics/springs/rate_fit.py"}
+
+
+def names_listed(text: str) -> tuple[set[str], set[str]]:
+    """Return what `__all__` of a module names, and what the module defines."""
+    listed: set[str] = set()
+    defined: set[str] = set()
+    for node in ast.parse(text).body:
+        if isinstance(node, ast.FunctionDef | ast.ClassDef):
+            defined.add(node.name)
+        elif isinstance(node, ast.Assign | ast.AnnAssign):
+            targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+            names = {one.id for target in targets for one in ast.walk(target) if isinstance(one, ast.Name)}
+            defined |= names
+            if names == {"__all__"} and node.value is not None:
+                listed = {one.value for one in ast.walk(node.value) if isinstance(one, ast.Constant)}
+    return listed, defined
+
+
+def test_no_list_repeats_the_names_of_a_module(pages):
+    """Of 1,453 names in such lists 207 were read by no other module, and 48 others that were read stood in none."""
+    bad = []
+    for page in pages:
+        if page.name.startswith(LISTED):
+            listed, defined = names_listed(page.text)
+            bad += [page.name] if listed and listed <= defined else []
+    assert set(bad) <= LISTED_STILL
+
+
+def test_a_list_that_repeats_is_told_from_one_that_passes_on():
+    assert names_listed("__all__ = ['f', 'g']\ndef f(): pass\ng: int = 1\n") == ({"f", "g"}, {"__all__", "f", "g"})
+    listed, defined = names_listed("from a import g\n__all__ = ['f', 'g']\ndef f(): pass\n")
+    assert not listed <= defined
+
+
 def test_no_global_state(pages):
     bad = [f"{page.name}:{node.lineno}" for page in pages for node in page.nodes if isinstance(node, ast.Global)]
     assert bad == []

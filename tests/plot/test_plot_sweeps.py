@@ -11,8 +11,8 @@ from winkler.plot.series import Series
 from winkler.plot.sweeps import VariancePart, cloud_sheet, map_sheet, part_sheet
 from winkler.study.batch.run import run
 from winkler.study.language.designs import Sensitivity, Sobol, Zipped
-from winkler.study.language.study import Axis, Study
-from winkler.study.language.varied import Range
+from winkler.study.language.study import Study
+from winkler.study.language.varied import Axis, Range
 from winkler.study.report.figures import answers_over
 from winkler.study.report.sweep_figures import mapped, varied_series
 from winkler.values.vocabulary import GLOSSARY

@@ -8,7 +8,8 @@ import numpy as np
 
 import winkler as wk
 from winkler.study.language.designs import Zipped
-from winkler.study.language.study import Axis, Expectation, Fields, Output, Places, Study
+from winkler.study.language.study import Expectation, Fields, Output, Places, Study
+from winkler.study.language.varied import Axis
 
 STEEL = wk.Elastic(210e9, 0.3)
 STRONG = wk.Elastic(210e9, 0.3, 700e6)

@@ -12,7 +12,7 @@ from winkler.cli.options import Settings, completion, refuse_existing
 from winkler.cli.streams import write_line
 
 if TYPE_CHECKING:
-    from winkler.study.batch.outcome import Solved
+    from winkler.study.batch.points import Solved
 
 __all__ = ["draw"]
 
@@ -98,7 +98,7 @@ def _write_film(study: Path, settings: list[str] | None, point: int, path: Path,
 
 def _solved(study: Any, point: int) -> Solved:
     """Solve one point of a study."""
-    from winkler.study.batch.outcome import Failed
+    from winkler.study.batch.points import Failed
     from winkler.study.batch.run import ERRORS
     from winkler.study.batch.sweep import solved
     from winkler.study.batch.tasks import tasks

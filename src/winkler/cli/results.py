@@ -16,7 +16,8 @@ if TYPE_CHECKING:
     from winkler.study.batch.checkpoint import CheckpointStore
     from winkler.study.batch.fit_outcome import FitOutcome
     from winkler.study.batch.journal import Journal
-    from winkler.study.batch.outcome import ComparedNumber, Outcome
+    from winkler.study.batch.outcome import Outcome
+    from winkler.study.batch.points import ComparedNumber
     from winkler.study.nanoindentation.running import NanoindentationOutcome
 
 __all__ = ["batch_json", "print_batch", "resumed", "validity_json", "verdict_json", "write_outcome_json"]

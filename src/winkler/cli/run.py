@@ -193,7 +193,7 @@ def _shard_solved(job: _RunRequest, folder: Path, text: str, *, anew: bool) -> i
     from winkler.cli import terminal
     from winkler.study.batch.checkpoint import CheckpointStore
     from winkler.study.batch.journal import Journal
-    from winkler.study.batch.outcome import Failed
+    from winkler.study.batch.points import Failed
     from winkler.study.batch.run import first_failure, named
     from winkler.study.batch.shards import Shard
     from winkler.study.batch.sweep import solve_points

@@ -13,7 +13,7 @@ from winkler.cli.streams import until_closed, write_json, write_line
 if TYPE_CHECKING:
     from rich.table import Table
 
-    from winkler.study.batch.outcome import ComparedNumber
+    from winkler.study.batch.points import ComparedNumber
     from winkler.study.ledger.ledger import LedgerEntry
     from winkler.study.ledger.ledger_page import LedgerChapter
 

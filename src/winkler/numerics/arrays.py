@@ -16,8 +16,6 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 
-__all__ = ["cast", "dot", "given", "library_of", "namespace_of", "real_waves", "to_numpy", "waves_back"]
-
 
 def namespace_of(numbers: Any) -> Any:
     """Return the functions of the library that an array belongs to.

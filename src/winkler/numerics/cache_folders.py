@@ -20,8 +20,6 @@ from pathlib import Path
 
 from winkler.values.errors import InvalidInput
 
-__all__ = ["private_folder", "with_fonts", "with_kernels"]
-
 FOLDER_PREFIX = "winkler-cache-"
 
 

@@ -6,8 +6,6 @@ import functools
 from collections.abc import Callable
 from typing import ParamSpec, TypeVar, cast
 
-__all__ = ["cached_by_value", "rounded"]
-
 P = ParamSpec("P")
 R = TypeVar("R")
 

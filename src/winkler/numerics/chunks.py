@@ -8,8 +8,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["chunks", "wave_sums"]
-
 ENTRIES = 1_000_000
 
 

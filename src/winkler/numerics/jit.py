@@ -31,8 +31,6 @@ import numpy as np
 from winkler.numerics.cache_folders import with_kernels
 from winkler.numerics.kernel_cache import KernelCache
 
-__all__ = ["Instead", "Kernel", "compiled"]
-
 P = ParamSpec("P")
 R = TypeVar("R")
 

@@ -14,8 +14,6 @@ import os
 from pathlib import Path
 from typing import Any
 
-__all__ = ["KernelCache"]
-
 LOG = logging.getLogger(__name__)
 ENDING = ".nbc"
 _said: set[str] = set()

@@ -14,8 +14,6 @@ import numpy as np
 
 from winkler.numerics.arrays import dot
 
-__all__ = ["RowBlocks"]
-
 BLOCK_PIXELS = 2**16
 """Pixels of a block: a quarter of a MiB in single digits."""
 LEAST_PIXELS = 2**18

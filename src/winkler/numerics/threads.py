@@ -7,8 +7,6 @@ import sys
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 
-__all__ = ["cores", "run_in_threads"]
-
 LEAST_ITEMS_PER_THREAD = 256
 """Pieces that are not worth a thread of their own."""
 

@@ -13,8 +13,6 @@ import numpy as np
 from winkler.plot.panel import Sheet
 from winkler.values.errors import InvalidInput
 
-__all__ = ["FILMS", "MOST_FRAMES", "animated", "spread"]
-
 MOST_FRAMES = 24
 PER_SECOND = 8
 """Sheets shown in a second."""

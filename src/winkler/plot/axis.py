@@ -11,8 +11,6 @@ from winkler.plot import style
 from winkler.plot.series import Scale, Series
 from winkler.values.value import value
 
-__all__ = ["PanelAxis", "from_zero", "plane"]
-
 LEAST_FALL = 0.12
 """Variation over the greatest number from which an axis begins at zero; of less nothing would be seen there."""
 

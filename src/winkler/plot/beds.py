@@ -30,8 +30,6 @@ from winkler.plot.normal.body import body_panel
 from winkler.plot.normal.springs import at_first_touch, springs_panel
 from winkler.plot.panel import Panel, Sheet, titled
 
-__all__: list[str] = []
-
 
 @sheet_of.register(Foundation)
 @sheet_of.register(PlaneFoundation)

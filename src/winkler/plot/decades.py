@@ -14,8 +14,6 @@ from winkler.plot.families import spans_decades
 from winkler.plot.panel import Panel, PanelAxis, among, points
 from winkler.plot.series import Series, middle_scale
 
-__all__ = ["Quantity", "decades_around", "decades_panel"]
-
 MOST_MARKED_POINTS = 60
 """Points are marked individually up to this number."""
 MOST_LABELLED_DECADES = 5.0

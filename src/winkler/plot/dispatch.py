@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import abc
 import functools
 from collections.abc import Callable
 from typing import Any
@@ -9,8 +10,6 @@ from typing import Any
 from winkler.plot.panel import Sheet
 from winkler.profiles.profile import Shape
 from winkler.values.errors import InvalidInput
-
-__all__ = ["sheet_of", "without_extent"]
 
 DRAWABLE = (
     "a profile, a Foundation, PlaneFoundation or MeasuredBed, a coated, graded or viscoelastic half-space, a solid "
@@ -26,6 +25,19 @@ def sheet_of(item: Any, *, extent: float | None = None) -> Sheet:
     if all(hasattr(item, name) for name in SHAPE_ATTRIBUTES):
         return sheet_of.dispatch(Shape)(item, extent=extent)
     raise InvalidInput(f"draw: there is no picture of a {type(item).__name__}; give {DRAWABLE}.")
+
+
+class Answered(abc.ABC):
+    """Any answer: a dataclass with the field `problem`. A picture of it serves where its own class has none."""
+
+    @property
+    @abc.abstractmethod
+    def problem(self) -> Any:
+        """The problem that was solved."""
+
+    @classmethod
+    def __subclasshook__(cls, other: type) -> bool:
+        return "problem" in getattr(other, "__dataclass_fields__", ())
 
 
 def without_extent(*kinds: type) -> Callable[[Callable[[Any], Sheet]], Callable[[Any], Sheet]]:

@@ -49,8 +49,6 @@ if TYPE_CHECKING:
     from winkler.plot.picture import Picture
     from winkler.plot.render import Place
 
-__all__ = ["draw"]
-
 
 @overload
 def draw(item: Any, *, extent: float | None = None, ax: None = None) -> Picture: ...
@@ -99,6 +97,7 @@ def draw(item: Any, *, extent: float | None = None, ax: Place | None = None) -> 
         - ``Topography``, spectra, solutions for rough surfaces: maps, sections, spectra, results over the load
         - a ``ForceCurve``: its segments with their names; a solution of ``OliverPharr``: the evaluated unloading
         - a ``Fit``: the curve with its model, and the residuals
+        - any other solution, also of a problem of your own: its numbers over load, time or distance, or its contact
     extent : float, optional
         Distance from the axis up to which is drawn [m]; chosen automatically if left out.
     ax : matplotlib Axes, list of Axes, Figure or SubFigure, optional

@@ -11,18 +11,6 @@ from winkler.foundation.bed import PressedSprings
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 
-__all__ = [
-    "BodyOutline",
-    "around",
-    "checked_extent",
-    "has_tensile_singularity",
-    "is_singular",
-    "marks_of",
-    "outline_end",
-    "sunk",
-    "typical",
-]
-
 RADII_DRAWN = 1.8
 """Extent of the picture of a contact in contact radii."""
 

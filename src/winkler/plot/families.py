@@ -12,8 +12,6 @@ from winkler.plot import style
 from winkler.plot.panel import Bars, Panel, PanelAxis, Sheet, among
 from winkler.plot.series import Scale, Series, common_scale, middle_scale
 
-__all__ = ["bar_sheet", "family_sheet", "spans_decades"]
-
 MOST_COLOURS = len(style.CYCLE)
 """Greatest number of curves with distinct colours; more take the shades of a colour map."""
 LETTERS = 40

@@ -12,23 +12,6 @@ from winkler.plot import style
 from winkler.plot.axis import PanelAxis
 from winkler.values.value import value
 
-__all__ = [
-    "Area",
-    "Arrow",
-    "Band",
-    "Bars",
-    "Dots",
-    "Facets",
-    "Line",
-    "Map",
-    "Mark",
-    "Polygon",
-    "Rule",
-    "Strokes",
-    "Text",
-    "Vectors",
-]
-
 
 @value
 class Line:

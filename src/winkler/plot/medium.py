@@ -25,18 +25,6 @@ from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Text, points
 from winkler.plot.series import scale_of, series, with_unit
 from winkler.values.errors import InvalidInput
 
-__all__ = [
-    "OFFSET_FROM_AXIS",
-    "body_is_defined",
-    "interfaces",
-    "is_varied",
-    "makeup_panel",
-    "spring_stiffness_panel",
-    "stiffness_panel",
-    "stiffness_text",
-    "typical_width",
-]
-
 LEAST_VARIATION = 1e-3
 """Relative variation of stiffness below which springs are drawn and described as equal."""
 MOST_BELOW_LAYERS = 8.0

@@ -42,9 +42,6 @@ from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.subsurface.contact_stress import ContactStress
 from winkler.values.errors import InvalidInput, OutsideValidity
 
-__all__ = ["PICTURES", "Contact", "bed_panels", "line_load", "method_sheet", "pictures_of", "pressure"]
-
-
 Contact = IndentationSolution | AdhesiveSolution
 """The drawn object: a solution for one load."""
 

@@ -15,8 +15,6 @@ from matplotlib.figure import Figure
 
 from winkler.plot.style import INK, MUTED, PALE
 
-__all__ = ["Picture", "empty_figure", "styled"]
-
 SETTINGS: Any = {
     "font.family": "sans-serif",
     "font.sans-serif": ["DejaVu Sans"],

@@ -7,8 +7,6 @@ import io
 from winkler.plot.panel import Sheet
 from winkler.plot.svg.sheet import drawing_of
 
-__all__ = ["picture_file"]
-
 PROLOG = '<?xml version="1.0" encoding="utf-8"?>\n'
 
 

@@ -23,8 +23,6 @@ from winkler.plot.svg.scales import points_along
 from winkler.values.checks.physical_size import as_text
 from winkler.values.errors import InvalidInput
 
-__all__ = ["Place", "fill_axes", "render", "render_into"]
-
 Place = Axes | FigureBase | Sequence[Axes]
 """Where a picture is drawn that is a part of another one."""
 

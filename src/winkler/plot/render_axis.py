@@ -16,8 +16,6 @@ from matplotlib.ticker import (
 from winkler.plot.panel import PanelAxis
 from winkler.plot.svg.scales import MOST_TICKS_ACROSS, broken, digits_of_decades, narrow_parts
 
-__all__ = ["set_axis", "thin_ticks"]
-
 
 def set_axis(axes: Axes, side: str, one: PanelAxis) -> None:
     """Set label, limits, scale and ticks of one axis."""

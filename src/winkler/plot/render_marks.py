@@ -17,8 +17,6 @@ from winkler.plot import marks, style
 from winkler.plot.axis import PanelAxis
 from winkler.plot.render_axis import set_axis
 
-__all__ = ["draw_mark"]
-
 
 def draw_mark(axes: Axes, mark: marks.Mark, across: float, upright: float) -> None:
     """Draw a mark, whose SI numbers are divided by the factors of both axes."""

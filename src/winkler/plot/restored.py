@@ -14,8 +14,6 @@ from winkler.plot.normal.stresses import along_panel, field_panel
 from winkler.plot.panel import Sheet, titled
 from winkler.values.errors import InvalidInput
 
-__all__ = ["subsurface_sheet", "surface_sheet"]
-
 
 @sheet_of.register(SurfaceFields)
 def surface_sheet(item: SurfaceFields, *, extent: float | None = None) -> Sheet:

@@ -21,8 +21,6 @@ from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.adhesion.pull_off import PullOffSolution
 from winkler.problems.adhesion.shear import AdhesiveShearSolution
 
-__all__ = ["contact_sheet", "cycle_sheet", "equilibrium_sheet", "pull_off_sheet", "shear_sheet"]
-
 
 def contact_sheet(item: AdhesiveSolution, extent: float | None = None) -> Sheet:
     """Return body, springs, pressure and equilibria of one contact; of a measured bed its stiffness and line load.

@@ -6,28 +6,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = [
-    "BLUE",
-    "BODY",
-    "CYCLE",
-    "DASHED",
-    "DASHES",
-    "DOTTED",
-    "GREEN",
-    "INK",
-    "MUTED",
-    "ORANGE",
-    "PALE",
-    "PURPLE",
-    "RED",
-    "SKY",
-    "SOLID",
-    "channels",
-    "mirrored",
-    "pressure_colour",
-    "shade",
-]
-
 INK = "#22272e"
 MUTED = "#6b7480"
 PALE = "#d9dee4"

@@ -14,8 +14,6 @@ from winkler.plot.families import spans_decades
 from winkler.plot.panel import Bars, Dots, Map, Panel, PanelAxis, Sheet
 from winkler.plot.series import Scale, Series, common_scale, middle_scale
 
-__all__ = ["VariancePart", "cloud_sheet", "map_sheet", "part_sheet"]
-
 MOST_COLUMNS = 3
 """Most panels side by side."""
 

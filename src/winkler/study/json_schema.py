@@ -24,8 +24,6 @@ from winkler.study.language.schema import GROOVE, OSCULATION, diameters, form, r
 from winkler.study.language.study import GRADES, PICTURES
 from winkler.study.nanoindentation.keys import MEANINGS, UNITS
 
-__all__ = ["DIALECT", "json_schema"]
-
 DIALECT = "http://json-schema.org/draft-07/schema#"
 """The dialect that editors of TOML know."""
 

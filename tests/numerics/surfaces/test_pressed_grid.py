@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from winkler.numerics.surfaces import pressed_box, pressed_grid
-from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, press
+from winkler.numerics.surfaces.pressed_box import ByDepth, ByLoad
+from winkler.numerics.surfaces.pressed_grid import press
 from winkler.numerics.surfaces.punched_grid import punch
 from winkler.numerics.surfaces.surface_grid import SurfaceGrid, bytes_needed
 from winkler.values.errors import NotConverged

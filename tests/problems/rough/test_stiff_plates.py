@@ -8,7 +8,8 @@ from scipy.optimize import nnls
 
 import winkler as wk
 from winkler.media.mapped import layers_of
-from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, press
+from winkler.numerics.surfaces.pressed_box import ByDepth, ByLoad
+from winkler.numerics.surfaces.pressed_grid import press
 from winkler.numerics.surfaces.punched_grid import punch
 
 

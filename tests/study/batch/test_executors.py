@@ -10,7 +10,8 @@ import pytest
 
 import winkler as wk
 from winkler.study.batch.run import run
-from winkler.study.language.study import Axis, Study
+from winkler.study.language.study import Study
+from winkler.study.language.varied import Axis
 from winkler.values.errors import InvalidInput, NotConverged
 
 BED = wk.Foundation(wk.Sphere(10e-3), wk.HalfSpace(wk.Elastic(210e9, 0.3)))

@@ -24,12 +24,12 @@ from winkler.cli.run import run as cli_run
 from winkler.study.batch import cluster
 from winkler.study.batch.cluster import Cluster
 from winkler.study.batch.journal import Journal
-from winkler.study.batch.outcome import Recalled
+from winkler.study.batch.points import Recalled
 from winkler.study.batch.run import run
 from winkler.study.batch.sweep import solve_points
 from winkler.study.language.designs import Sobol
-from winkler.study.language.study import Axis, Study
-from winkler.study.language.varied import Range
+from winkler.study.language.study import Study
+from winkler.study.language.varied import Axis, Range
 from winkler.values.errors import InvalidInput, NotConverged
 
 BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))

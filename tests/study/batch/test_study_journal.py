@@ -15,11 +15,12 @@ import winkler as wk
 from winkler.io.software import software
 from winkler.study.batch import sweep
 from winkler.study.batch.journal import Journal
-from winkler.study.batch.outcome import Failed, Recalled, Solved
+from winkler.study.batch.points import Failed, Recalled, Solved
 from winkler.study.batch.run import gather, run
 from winkler.study.batch.sweep import solve_points
 from winkler.study.language.fit_study import FitStudy, Free
-from winkler.study.language.study import Axis, Expectation, Fields, Places, Study
+from winkler.study.language.study import Expectation, Fields, Places, Study
+from winkler.study.language.varied import Axis
 from winkler.values.errors import InvalidInput, OutsideValidity
 
 BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))

@@ -10,12 +10,12 @@ import pytest
 
 import winkler as wk
 from winkler.study.batch.journal import Journal
-from winkler.study.batch.outcome import Failed
+from winkler.study.batch.points import Failed
 from winkler.study.batch.sweep import solve_points
 from winkler.study.batch.tasks import MOST_CHECKED, tasks
 from winkler.study.language.designs import LatinHypercube
-from winkler.study.language.study import Axis, Study
-from winkler.study.language.varied import Range
+from winkler.study.language.study import Study
+from winkler.study.language.varied import Axis, Range
 from winkler.values.errors import InvalidInput
 
 BED = wk.Foundation(wk.Paraboloid(1e-3), wk.HalfSpace(wk.Elastic(1e9, 0.25)))

@@ -15,7 +15,8 @@ import pytest
 import winkler as wk
 from winkler.problems.particles.trace import ContactTrace
 from winkler.study.batch import stream
-from winkler.study.batch.outcome import Failed, Solved, answers_of
+from winkler.study.batch.outcome import answers_of
+from winkler.study.batch.points import Failed, Solved
 from winkler.study.batch.pool import Machine
 from winkler.study.batch.processes import THREAD_VARIABLES
 from winkler.study.batch.run import run
@@ -23,7 +24,8 @@ from winkler.study.batch.sweep import solve_points
 from winkler.study.batch.tasks import tasks
 from winkler.study.language.designs import Zipped
 from winkler.study.language.reading import parse_study
-from winkler.study.language.study import Axis, Fields, Places, Study
+from winkler.study.language.study import Fields, Places, Study
+from winkler.study.language.varied import Axis
 from winkler.study.language.writing import study_text
 from winkler.study.report.describe import in_words, setting_text
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity

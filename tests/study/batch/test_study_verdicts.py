@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.study.batch.outcome import ComparedNumber
+from winkler.study.batch.points import ComparedNumber
 from winkler.study.batch.run import run
 from winkler.study.batch.verdicts import compared
 from winkler.study.language.study import Expectation, Study
@@ -94,7 +94,7 @@ def test_expectations_that_cannot_be_compared(expectation, sentence):
 
 
 def test_a_wrong_expectation_stops_a_sweep_at_its_first_point(monkeypatch):
-    from winkler.study.language.study import Axis
+    from winkler.study.language.varied import Axis
 
     solved = []
     real = wk.Indentation.solve

@@ -17,7 +17,8 @@ from winkler.study.batch.run import run
 from winkler.study.chapters.contents import formulas_of
 from winkler.study.language.keys import replaced
 from winkler.study.language.reading import parse_study
-from winkler.study.language.study import Axis, Output, Study
+from winkler.study.language.study import Output, Study
+from winkler.study.language.varied import Axis
 from winkler.study.language.writing import study_text
 from winkler.study.report import figures
 from winkler.study.report.figure import ReportFigure

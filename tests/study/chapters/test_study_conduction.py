@@ -10,7 +10,8 @@ from winkler.study.chapters.conduction import CONDUCTION
 from winkler.study.chapters.contents import formulas_of
 from winkler.study.language.build import build, unbuild
 from winkler.study.language.explain import example_study
-from winkler.study.language.study import Axis, Study
+from winkler.study.language.study import Study
+from winkler.study.language.varied import Axis
 from winkler.study.report.citing import cite
 from winkler.study.report.figures import figures_of
 from winkler.study.report.mathml import formula

@@ -24,8 +24,9 @@ from winkler.study.language.build import build, unbuild
 from winkler.study.language.catalogue import CATALOGUE, FORMER, FORMER_PARTS
 from winkler.study.language.explain import example_study
 from winkler.study.language.reading import parse_study
-from winkler.study.language.study import Axis, Study
+from winkler.study.language.study import Study
 from winkler.study.language.template import template
+from winkler.study.language.varied import Axis
 from winkler.study.language.writing import study_text
 from winkler.study.report import figures
 from winkler.study.report.citing import cite

@@ -13,9 +13,9 @@ from winkler.study.batch.run import run
 from winkler.study.chapters.contents import formulas_of
 from winkler.study.language.build import build
 from winkler.study.language.catalogue import kinds
+from winkler.study.language.explain import example_study
 from winkler.study.language.reading import parse_study
 from winkler.study.language.study import Study
-from winkler.study.language.template import example_study
 from winkler.study.language.writing import study_text
 from winkler.study.report.citing import cite
 

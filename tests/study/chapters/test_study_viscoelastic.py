@@ -23,7 +23,8 @@ from winkler.study.chapters.viscoelastic_surfaces import VISCOELASTIC_SURFACES
 from winkler.study.language.build import build, unbuild
 from winkler.study.language.explain import example_study
 from winkler.study.language.reading import parse_study
-from winkler.study.language.study import Axis, Study
+from winkler.study.language.study import Study
+from winkler.study.language.varied import Axis
 from winkler.study.language.writing import study_text
 from winkler.study.report.citing import cite
 from winkler.study.report.describe import in_words, inputs

@@ -12,8 +12,8 @@ from winkler.study.batch.run import run
 from winkler.study.language.canonical import digest
 from winkler.study.language.designs import Crossed, LatinHypercube, Sensitivity, Sobol, Zipped
 from winkler.study.language.reading import parse_study
-from winkler.study.language.study import Axis, Study
-from winkler.study.language.varied import Range
+from winkler.study.language.study import Study
+from winkler.study.language.varied import Axis, Range
 from winkler.study.language.writing import study_text
 from winkler.study.report.archive import archive_files, dataset
 from winkler.study.report.describe import in_words, inputs

@@ -11,10 +11,11 @@ import pytest
 import winkler as wk
 from winkler.cli import main
 from winkler.study.batch.journal import Journal
-from winkler.study.batch.outcome import Failed, Recalled, Solved
+from winkler.study.batch.points import Failed, Recalled, Solved
 from winkler.study.batch.run import gather, run
 from winkler.study.batch.sweep import solve_points
-from winkler.study.language.study import Axis, Expectation, Study
+from winkler.study.language.study import Expectation, Study
+from winkler.study.language.varied import Axis
 from winkler.study.language.writing import study_text
 from winkler.values.errors import InvalidInput, Mistake, OutsideValidity, mistake_in
 

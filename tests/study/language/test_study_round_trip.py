@@ -18,7 +18,8 @@ from winkler.study.language.designs import Zipped
 from winkler.study.language.explain import completed, example_study, keys_of, place_of, table_at
 from winkler.study.language.reading import parse_study
 from winkler.study.language.schema import form, hints, options
-from winkler.study.language.study import Axis, Expectation, Fields, Output, Places, Study
+from winkler.study.language.study import Expectation, Fields, Output, Places, Study
+from winkler.study.language.varied import Axis
 from winkler.study.language.writing import study_text
 from winkler.values.errors import InvalidInput
 

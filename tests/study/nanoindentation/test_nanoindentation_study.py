@@ -182,7 +182,7 @@ def test_expectations_that_no_evaluation_has_are_refused_before_results_are_writ
         (INDENTATION.replace("poisson = 0.3", ""), "indentation.poisson is missing"),
         (INDENTATION.replace('"tip/indenter.toml"', '"lost.toml"'), "indenter is 'lost.toml'"),
         (INDENTATION.replace('indenter = "tip/indenter.toml"', ""), "there is no indenter"),
-        (INDENTATION.replace("steel_*", "gold_*"), "where there is no file"),
+        (INDENTATION.replace("steel_*", "gold_*"), "no file fits the pattern"),
         (INDENTATION + '\n[indenter]\narea = [24.5]\n', "given twice"),
         (INDENTATION.replace('indenter = "tip/indenter.toml"', "[indenter]\narea = [24.5, 1]"), r"area\[1\]"),
         (INDENTATION + CALIBRATION.replace('title = "tip"', ""), "either \\[indentation\\] or \\[calibration\\]"),

@@ -15,7 +15,8 @@ import winkler as wk
 from winkler.io.software import software
 from winkler.study.batch.run import run
 from winkler.study.language.reading import parse_study
-from winkler.study.language.study import Axis, Study
+from winkler.study.language.study import Study
+from winkler.study.language.varied import Axis
 from winkler.study.report import archive, archive_maps
 from winkler.study.report.writing import write_files
 from winkler.values.vocabulary import GLOSSARY, Word

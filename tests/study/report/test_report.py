@@ -21,7 +21,8 @@ from winkler.study.batch.run import run
 from winkler.study.chapters.method_captions import CAPTIONS
 from winkler.study.language.build import build
 from winkler.study.language.explain import example_study
-from winkler.study.language.study import Axis, Expectation, Output, Study
+from winkler.study.language.study import Expectation, Output, Study
+from winkler.study.language.varied import Axis
 from winkler.study.report import figures, report
 from winkler.study.report.figures import answers_over
 from winkler.study.report.page_parts import REPORT

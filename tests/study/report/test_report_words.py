@@ -16,7 +16,8 @@ from winkler.study import chapters
 from winkler.study.batch.run import run
 from winkler.study.chapters.answer import Equation
 from winkler.study.language.reading import read_study
-from winkler.study.language.study import Axis, Study
+from winkler.study.language.study import Study
+from winkler.study.language.varied import Axis
 from winkler.study.report.describe import content_label, in_words, inputs, values_text
 from winkler.study.report.figure import svg_element
 from winkler.study.report.figures import answers_over

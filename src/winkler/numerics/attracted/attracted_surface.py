@@ -25,8 +25,6 @@ from winkler.numerics.attracted.elastic_surface import ElasticSurface
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["AttractedSurface", "Rest"]
-
 MOST_STEPS = 1000
 """Newton steps; five are usual, a hundred in a jump."""
 LARGEST_FORCING = 0.1

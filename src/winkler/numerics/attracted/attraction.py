@@ -13,8 +13,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["Attraction", "EightTwo", "Exponential", "RoundedStep"]
-
 
 class Exponential(NamedTuple):
     """-exp(-g) behind a wall at zero.

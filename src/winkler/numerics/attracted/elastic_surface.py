@@ -18,8 +18,6 @@ from winkler.numerics.threads import cores
 from winkler.numerics.types import Array
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["ElasticSurface", "attracted_bytes"]
-
 SINGLE_THREAD_PIXELS = 2**14
 """Pixels below which a second thread costs more than it brings."""
 PERIODIC_COPIES, FREE_COPIES = 48, 100

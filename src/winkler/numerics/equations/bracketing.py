@@ -12,8 +12,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["between"]
-
 MOST_ITERATIONS = 200
 ROOT_TOLERANCE = 2.0 * np.finfo(float).eps
 

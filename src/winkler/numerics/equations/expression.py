@@ -36,8 +36,6 @@ from winkler.values.checks.number_checks import Advice
 from winkler.values.errors import InvalidInput, suggest
 from winkler.values.value import value
 
-__all__ = ["CONSTANTS", "Expression"]
-
 MOST_CHARACTERS, MOST_LEVELS = 1000, 100  # characters, levels within each other
 
 CONSTANTS = {"pi": math.pi, "e": math.e}

@@ -20,8 +20,6 @@ from winkler.numerics.equations.stabilised import step_error
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["ImplicitStep", "StiffSystem", "implicit_step"]
-
 GAMMA = 1.0 - math.sqrt(0.5)
 MOST_TRIALS = 20
 STAGE_TOLERANCE = 1e-6

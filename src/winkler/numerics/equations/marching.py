@@ -15,8 +15,6 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["Condition", "IntegratedStates", "StopCondition", "integrate_to_stop"]
-
 MOST_RATES = 200_000
 ZERO_SUBSTITUTE = 1e-300
 """Given for zero: to start from a condition is not to pass it."""

@@ -13,8 +13,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 from winkler.values.limits import PATH_POINTS
 
-__all__ = ["oscillation_moments", "sine"]
-
 MOMENT_TOLERANCE = 1e-9
 """Moments closer than that are one: at a turning point the sine does not resolve them."""
 

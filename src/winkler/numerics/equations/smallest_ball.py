@@ -16,8 +16,6 @@ import numpy as np
 from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 
-__all__ = ["smallest_balls"]
-
 EXCHANGES, SETTLED = 1000, 1e-13
 """At most so many points are exchanged, until none lies farther outside than this part of the square."""
 

@@ -28,8 +28,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["SobolEstimate", "sobol_indices"]
-
 RESAMPLINGS = 1000
 """How often pairs are drawn again."""
 CONFIDENCE_LEVEL = 0.95

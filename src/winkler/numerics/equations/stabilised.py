@@ -19,8 +19,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["MOST_STAGES", "longest", "stages_for", "step", "step_error"]
-
 MOST_STAGES = 100
 DAMPING = 2.0 / 13.0
 

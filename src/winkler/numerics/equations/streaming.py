@@ -12,8 +12,6 @@ from collections.abc import Callable, Iterator
 from queue import SimpleQueue
 from typing import TypeVar
 
-__all__ = ["streamed"]
-
 T = TypeVar("T")
 R = TypeVar("R")
 

@@ -14,20 +14,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = [
-    "FUNCTIONS",
-    "OPERATORS",
-    "Derivatives",
-    "Jet",
-    "RefusedFormula",
-    "TaylorSeries",
-    "Terms",
-    "called",
-    "constant",
-    "power_sum",
-    "times",
-]
-
 LARGEST_EXPONENT = 100.0  # exponent
 
 Terms = tuple[tuple[float, float], ...]  # (c, p) of each power c x^p in a sum

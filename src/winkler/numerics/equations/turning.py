@@ -15,8 +15,6 @@ import numpy as np
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.types import Array, Curve
 
-__all__ = ["Leap", "Slopes"]
-
 
 class Leap(NamedTuple):
     """One leap: at `level` from `start` to `end`, on the path to the level of the number `aim`."""

@@ -26,8 +26,6 @@ from winkler.numerics.integrals.quadrature import tanh_sinh
 from winkler.numerics.types import Array, Curve
 from winkler.values.value import value
 
-__all__ = ["FAST", "BandPeak", "BandSource", "warmest_of_band"]
-
 FAST = math.inf
 """The wave number of the limit of high speed, in which lambda T is counted times the root of V / kappa."""
 NODES = 81

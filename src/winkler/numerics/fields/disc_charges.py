@@ -19,8 +19,6 @@ import numpy as np
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
-__all__ = ["currents"]
-
 
 @functools.cache
 def _basis(greatest: int) -> tuple[Array, Array, Array, Array, Array]:

@@ -11,8 +11,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["disc_potential", "disc_slopes"]
-
 
 def disc_potential(r: Array, z: Array, radius: float) -> Array:
     """Return theta: one on the disc, falling to zero far away.

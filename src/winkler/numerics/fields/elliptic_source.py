@@ -32,8 +32,6 @@ from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 from winkler.values.value import value
 
-__all__ = ["FAST_HEIGHT", "EllipticSource"]
-
 FAST_HEIGHT = 1.2346198309610955
 """Greatest integral of sqrt(1 - s^2)/sqrt(pi (t - s)) from -1 to t, at t = 0.652: Hertz' flux in fast motion."""
 NODES = 20

@@ -19,8 +19,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["UNIFORM_FLUX_RATIO", "spreading"]
-
 UNIFORM_FLUX_RATIO = 32.0 / (3.0 * np.pi**2)
 """What uniform flux costs, over what a disc of one voltage does."""
 MODE_COUNT = 240

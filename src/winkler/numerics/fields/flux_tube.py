@@ -18,8 +18,6 @@ import numpy as np
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
-__all__ = ["LARGEST_RADIUS_RATIO", "relief"]
-
 LARGEST_RADIUS_RATIO = 0.9
 """Largest radius of the disc over that of the rod."""
 RULE_NODES = 32

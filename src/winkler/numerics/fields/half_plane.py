@@ -22,8 +22,6 @@ from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import Panels
 from winkler.numerics.types import Array
 
-__all__ = ["Pile", "potential"]
-
 NODES = 16
 LONGEST_PIECE = 2.0
 """In t, on which so many nodes reach rounding."""

@@ -26,8 +26,6 @@ from winkler.numerics.panels.chebyshev import Panels, fit_nodes, panels_from
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values.value import value
 
-__all__ = ["LayerEcho", "Stack"]
-
 TURN = 0.25 * math.pi
 """By which the path of the wave numbers is turned."""
 STEP = 0.14

@@ -12,8 +12,6 @@ from winkler.numerics.fields.moving_source import line_load, panel_value
 from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 
-__all__ = ["echoed_points"]
-
 
 @compiled
 def _folded(

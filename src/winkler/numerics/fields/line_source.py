@@ -39,8 +39,6 @@ from winkler.numerics.panels.cosine_pieces import cosine_places, place_on
 from winkler.numerics.types import Array, Curve
 from winkler.values.value import value
 
-__all__ = ["TOLERANCE", "LineSource", "PeakTemperature"]
-
 TOLERANCE = 1e-11
 """Of the line load, relative to its greatest value."""
 TIME_NODES = 20

@@ -22,8 +22,6 @@ import numpy as np
 from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 
-__all__ = ["line_load", "panel_value", "spread_loads", "surface_points"]
-
 LENGTH_RATIO = 4.0
 """Ratio of the lengths of consecutive pieces that leave a boundary layer."""
 MOST_CUTS = 400

@@ -12,8 +12,6 @@ from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.panels.cosine_pieces import cosine_places, pieces_of, place_on
 from winkler.numerics.types import Array, Curve
 
-__all__ = ["line_source", "projected"]
-
 FLUX_TOLERANCE = 1e-10
 """Of the flux times sqrt(a^2 - r^2), relative to the greatest."""
 FLUX_NODES = 48

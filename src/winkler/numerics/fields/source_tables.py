@@ -11,8 +11,6 @@ from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.types import Array
 
-__all__ = ["cosine_rule", "lag_table", "powers", "spread_table"]
-
 NODES = 12
 """Of the rule on every piece."""
 ASYMPTOTIC_LIMIT = 16.0

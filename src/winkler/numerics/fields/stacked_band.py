@@ -13,8 +13,6 @@ from winkler.numerics.integrals.quadrature import tanh_sinh
 from winkler.numerics.types import Array
 from winkler.values.value import value
 
-__all__ = ["StackedBand"]
-
 NODES = 81
 
 

@@ -18,8 +18,6 @@ from winkler.numerics.integrals.quadrature import gauss_legendre, tanh_sinh
 from winkler.numerics.types import Array
 from winkler.values.value import value
 
-__all__ = ["StackedSource"]
-
 DIRECTION_NODES = 9
 """Of the rule on every piece of the quarter turn."""
 FOLD_NODES = 10

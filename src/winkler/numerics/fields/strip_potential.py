@@ -27,9 +27,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["StripTerms", "in_circle", "powers"]
-
-
 AT_EDGE = 1e-14
 """Distance over the half-width within which a place is the edge: near walls the integral grows as its square root."""
 

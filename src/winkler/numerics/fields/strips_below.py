@@ -22,8 +22,6 @@ from winkler.numerics.panels.chebyshev import Panels
 from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths, on_axis, sine_transform
 from winkler.numerics.types import Array
 
-__all__ = ["Below", "LineLoads", "loads_of"]
-
 FEWEST_LOADS, LOADS_PER_LENGTH = 16, 11.0
 """Line loads of one strip beyond the terms of its series: a few, and so many for each length of decay in half of it,
 over which waves die out like exp(-2 * 21); twice as many between corners, whose series go on."""

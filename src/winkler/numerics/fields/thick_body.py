@@ -11,8 +11,6 @@ from winkler.numerics.fields.warmest_place import PeakTemperature
 from winkler.numerics.types import Array
 from winkler.values.value import value
 
-__all__ = ["Source", "ThickBand", "ThickBody"]
-
 
 class Source(Hashable, Protocol):
     """Where 1 W enters the surface of a body that moves past it at an angle: lambda T of a thick one."""

@@ -11,8 +11,6 @@ import numpy as np
 from winkler.numerics.types import Array, Quantity
 from winkler.values.value import value
 
-__all__ = ["LEAST_TEMPERATURE_GAIN", "PeakTemperature", "turned", "warmest_place", "warmest_within"]
-
 FIRST_POINTS = 9
 """Places along the centre line where the greatest temperature is searched for first."""
 REFINEMENT_ROUNDS = 3

@@ -11,8 +11,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["effective_conductance"]
-
 
 def effective_conductance(conductance: Array) -> float:
     """Return the conductance of the effective medium; zero if half of the places or more do not conduct.

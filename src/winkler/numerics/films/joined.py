@@ -8,8 +8,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["WidestPath", "islands", "through", "widest_path"]
-
 
 class WidestPath(NamedTuple):
     """The path through a film whose narrowest place is as wide as possible.

@@ -19,8 +19,6 @@ from winkler.numerics.surfaces.surface_grid import SurfaceGrid
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["JointFlux", "joint_flux"]
-
 MOST_ITERATIONS = 3000
 """A hundred are usual."""
 

@@ -18,8 +18,6 @@ import numpy as np
 from winkler.numerics.films.joined import through
 from winkler.numerics.types import Array
 
-__all__ = ["FilmFlow", "film_flow"]
-
 MOST_REFINEMENTS = 8
 ENOUGH = 1e-15
 """What a pixel may gain or lose, over the whole flow."""

@@ -22,8 +22,6 @@ from winkler.numerics.integrals.quadrature import gauss_legendre, tanh_sinh
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["settled"]
-
 TOLERANCE = 2e-13
 """Relative change, against the integral of the modulus, below which a result counts as settled."""
 LAST_TOLERANCE = 1e-9

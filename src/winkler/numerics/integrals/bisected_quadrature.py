@@ -19,8 +19,6 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["along_springs", "refined", "towards"]
-
 NODES_PER_PANEL = 13
 """Nodes on each panel."""
 AXIS_OFFSET = 1e-9

@@ -22,8 +22,6 @@ import numpy as np
 
 from winkler.numerics.jit import compiled
 
-__all__ = ["BENDS", "bends", "fading", "first", "losses", "second"]
-
 MOST_TERMS = 30
 """Of a series, at most."""
 NEGLIGIBLE_TERM = 1e-19

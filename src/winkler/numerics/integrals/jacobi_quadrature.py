@@ -15,8 +15,6 @@ from winkler.numerics.integrals.adaptive_quadrature import TOLERANCE, settled
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["gauss_jacobi", "settled_power"]
-
 RULE_NODES = (10, 20, 40, 80)
 LARGEST_INVERSE_POWER = 40.0
 """The largest 1 / (1 + power) with which s still resolves where the integrand changes."""

@@ -24,8 +24,6 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 
-__all__ = ["gauss_legendre", "tanh_sinh"]
-
 _EXPONENTIAL_SPAN = 4.0
 """Largest s of the tanh-sinh rule: nodes down to exp(-pi sinh 4) = 6e-38, whose square root is below rounding."""
 

@@ -10,8 +10,6 @@ from winkler.numerics.types import Array, ComplexArray, Curve
 from winkler.values.errors import NotConverged
 from winkler.values.value import value
 
-__all__ = ["Panels", "fit_panels", "stationary"]
-
 DEGREE = 16
 MOST_PANELS = 4096
 

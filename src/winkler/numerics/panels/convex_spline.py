@@ -23,8 +23,6 @@ from winkler.numerics.panels.chebyshev import Panels
 from winkler.numerics.types import Array
 from winkler.values.value import value
 
-__all__ = ["ConvexCurve", "first_concave_part", "fit_convex", "local_scatter"]
-
 EXPONENTS = (0.25, 1.0 / 3.0, 0.5, 2.0 / 3.0, 1.0, 1.5, 2.0)
 LEAST_RISE = 1e-7
 """Smallest share of the greatest slope by which k rises over the whole curve: it never stands still."""

@@ -14,8 +14,6 @@ from winkler.numerics.panels.chebyshev import Panels, fit_nodes, panels_from
 from winkler.numerics.types import Array
 from winkler.values.value import value
 
-__all__ = ["RoundFlux", "cosine_places", "pieces_of", "place_on", "round_flux"]
-
 
 @value
 class RoundFlux:

@@ -19,17 +19,6 @@ from numpy.typing import NDArray
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array, Curve
 
-__all__ = [
-    "DERIVATIVE",
-    "LOCAL_NODES",
-    "NODES_PER_PANEL",
-    "TO_COEFFICIENTS",
-    "WEIGHTS",
-    "Sample",
-    "Stretches",
-    "stretches",
-]
-
 NODES_PER_PANEL = 16
 """Nodes of each panel."""
 HALVINGS = 24

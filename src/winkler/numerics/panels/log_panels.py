@@ -19,8 +19,6 @@ from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.types import Array, Curve
 from winkler.values.errors import NotConverged
 
-__all__ = ["Octaves"]
-
 OCTAVES_PER_BLOCK = 2
 """Octaves of a block."""
 RELATIVE_TOLERANCE = 2e-14

@@ -15,8 +15,6 @@ from winkler.numerics.integrals.jacobi_quadrature import gauss_jacobi
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
-__all__ = ["PowerSplines"]
-
 RULE_NODES = 16
 
 

@@ -16,8 +16,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 from winkler.values.value import value
 
-__all__ = ["RootPanels", "doubled", "fit", "nodes", "root"]
-
 DEGREE = 17
 MOST_HALVINGS = 44
 """How often a panel may be halved; one that narrow, at a singular end, is accepted as it is."""

@@ -29,8 +29,6 @@ from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.types import Array
 
-__all__ = ["struve"]
-
 ASYMPTOTIC_LIMIT = 40.0
 """From here on the asymptotic series is used: its smallest term is exp(-40)."""
 ASYMPTOTIC_TERMS = 16

@@ -8,8 +8,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["contact_area"]
-
 EDGE_EXCESS = 0.9 * (math.pi - 1.0 + math.log(2.0)) / 24.0
 """What counted pixels give too much, per length of the edge of the contact and pixel size: 0.9 of Yastrebov's number.
 

@@ -20,8 +20,6 @@ import numpy as np
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
-__all__ = ["RadialPart", "over_pixels", "over_slices"]
-
 CORNER_NODES = 64
 FAR_ZONES = ((8.0, 4), (24.0, 3), (128.0, 2))
 """From how many pixels on how many places along a side of the pixel are enough for ten digits."""

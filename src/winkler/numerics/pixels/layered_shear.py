@@ -24,8 +24,6 @@ from winkler.numerics.transforms.radial_kernel import RadialKernel, radial_kerne
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["LayeredShear", "ShearResponse"]
-
 ZONES = ((0.0, 8), (8.0, 4), (24.0, 2))
 """From how many pixels on how many places along a side of a part of the pixel are enough."""
 PART_OVER_LENGTH, MOST_PARTS = 0.5, 16

@@ -23,8 +23,6 @@ from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.pixels.integrals import over_pixels, over_slices
 from winkler.numerics.types import Array
 
-__all__ = ["PowerLawSurface", "straightened"]
-
 NODES = 32
 """Of the integral in `straightened`: to 1e-12 for places up to 1e4 pixels away."""
 

@@ -8,8 +8,6 @@ from winkler.numerics.plates.responding_grid import RespondingGrid
 from winkler.numerics.plates.screened_inverse import ScreenedInverse
 from winkler.numerics.types import Array
 
-__all__ = ["step_on"]
-
 MOST_ITERATIONS = 300
 """Conjugate gradients after which a step is taken as it is; twenty to sixty are usual."""
 

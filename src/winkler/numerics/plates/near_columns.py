@@ -7,8 +7,6 @@ import math
 from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 
-__all__ = ["MOST_NEAR", "fill_columns"]
-
 REACH = 3
 """How far pixels count, in cells of their level."""
 MOST_NEAR = (2 * REACH + 1) ** 2

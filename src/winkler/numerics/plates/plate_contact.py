@@ -21,8 +21,6 @@ from winkler.numerics.plates.screened_inverse import kernel_of
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["PlateContact"]
-
 MOST_STEPS = 400
 """Steps after which a contact has not converged; ten to a hundred are usual."""
 MOST_HALVINGS = 30

@@ -7,8 +7,6 @@ from typing import Any
 
 from winkler.numerics.arrays import dot, namespace_of
 
-__all__ = ["left_over", "overlap_and_work", "shared"]
-
 MOST_SHARING_STEPS = 200
 """Steps to share a load out among pixels that bear no more than the ceiling; five are usual."""
 

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import Any, Protocol
 
-__all__ = ["RespondingGrid"]
-
 
 class RespondingGrid(Protocol):
     """A surface on a grid, as `winkler.numerics.surfaces.surface_grid.SurfaceGrid` is one."""

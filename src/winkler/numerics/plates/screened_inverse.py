@@ -17,8 +17,6 @@ from winkler.numerics.plates.near_columns import MOST_NEAR, fill_columns
 from winkler.numerics.plates.responding_grid import RespondingGrid
 from winkler.numerics.types import Array
 
-__all__ = ["ScreenedInverse", "kernel_of"]
-
 
 def kernel_of(grid: RespondingGrid) -> Array:
     """Return the displacement of all pixels under a unit pressure on the one at (0, 0), positive everywhere."""

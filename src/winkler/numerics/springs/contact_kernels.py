@@ -21,8 +21,6 @@ import math
 from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 
-__all__ = ["impact_balls", "move_balls", "move_row", "turn_balls", "turn_one"]
-
 BOUND_TOLERANCE = 1e-14
 """Part of the squared bound by which a spring that stands on it may seem to be within."""
 ZERO_SUBSTITUTE = 1e-300

@@ -21,8 +21,6 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["EDGE_SHIFT", "STRIP_EDGE_SHIFT", "BorneCells", "CoupledCells", "LoadedCells"]
-
 EDGE_SHIFT = 0.5 - 0.5 / math.sqrt(3.0)
 """By so many cells a contact is wider than where the last of its cells would bear nothing.
 

@@ -14,8 +14,6 @@ from winkler.numerics.jit import compiled
 from winkler.numerics.springs.coupled_cells import EDGE_SHIFT
 from winkler.numerics.types import Array
 
-__all__ = ["cosine_basis", "march"]
-
 SHIFT = EDGE_SHIFT
 
 

@@ -18,8 +18,6 @@ import numpy as np
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values.value import value
 
-__all__ = ["CreepSeries", "RelaxationSeries", "merged", "of_creep", "of_relaxation", "zeros"]
-
 
 @value
 class RelaxationSeries:

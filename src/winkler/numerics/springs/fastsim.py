@@ -25,8 +25,6 @@ import numpy as np
 from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 
-__all__ = ["mapped", "rolled"]
-
 HALVINGS = 48
 """How often the place where sliding begins is halved within a step."""
 

@@ -13,8 +13,6 @@ from winkler.numerics.springs.exponential_sums import RelaxationSeries, zeros
 from winkler.numerics.types import Array
 from winkler.values.value import value
 
-__all__ = ["Law", "Recovery"]
-
 Law = tuple[float, float, Array, Array, Array, Array, Array, Array, Array]
 
 

@@ -20,8 +20,6 @@ from winkler.numerics.integrals.exponential_integrals import first, second
 from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 
-__all__ = ["forces_of_motion", "motion_of_forces"]
-
 MOST_TERMS = 60
 ROOT_TOLERANCE = 1e-13
 STEP_TOLERANCE = 1e-10

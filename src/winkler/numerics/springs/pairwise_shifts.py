@@ -9,8 +9,6 @@ import numpy as np
 from winkler.numerics.springs.spectrum_response import Measurements, Response
 from winkler.numerics.types import Array
 
-__all__ = ["pairwise_shifts"]
-
 TRIALS = 201
 BEYOND = 0.5
 """Decades by which a curve is continued straight beyond its ends."""

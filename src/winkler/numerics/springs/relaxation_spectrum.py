@@ -25,8 +25,6 @@ from winkler.numerics.springs.spectrum_response import Measurements, Response, S
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["SpectrumEstimate", "estimate_spectrum"]
-
 SETTLED = 1e-10
 """Longest step of a logarithm with which the search ends."""
 ROUNDING = 1e-12

@@ -17,8 +17,6 @@ from winkler.numerics.integrals.exponential_integrals import fading, losses
 from winkler.numerics.jit import compiled
 from winkler.numerics.springs.relaxing_spring import rotated
 
-__all__ = ["drag"]
-
 BOUND_TOLERANCE = 1e-9
 """A spring that bears its bound but for this part is on it."""
 

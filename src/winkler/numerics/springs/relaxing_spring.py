@@ -10,8 +10,6 @@ import numpy as np
 from winkler.numerics.integrals.exponential_integrals import fading, losses
 from winkler.numerics.jit import compiled
 
-__all__ = ["carry", "jump", "rotated"]
-
 MOST_EVENTS = 64
 """More within one step are rounding: a line and m exponentials vanish together m + 1 times at most."""
 MOST_TRIALS = 200

@@ -20,8 +20,6 @@ from winkler.numerics.integrals.exponential_integrals import BENDS, bends, fadin
 from winkler.numerics.jit import compiled
 from winkler.numerics.springs.relaxing_spring import carry, jump
 
-__all__ = ["FORCED_NUMBERS", "STEP_NUMBERS", "advance_springs", "advance_to_force", "advance_under_forces"]
-
 STEP_NUMBERS = 10
 """Of a step: force, impulse, work, growth of both with the depth, energy stored, radius, weight pressed, a ring, loss.
 

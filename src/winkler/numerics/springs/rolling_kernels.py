@@ -12,8 +12,6 @@ import numpy as np
 from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 
-__all__ = ["push", "roll"]
-
 MOST_ITERATIONS = 200
 FORCE_TOLERANCE = 1e-15
 """Of the sliding force, within which a prescribed force is met."""

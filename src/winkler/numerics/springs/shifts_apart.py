@@ -14,8 +14,6 @@ from winkler.numerics.springs.relaxation_spectrum import SpectrumEstimate
 from winkler.numerics.springs.spectrum_response import Measurements, Response, SpectrumLayout, linearised
 from winkler.numerics.types import Array
 
-__all__ = ["shifts_apart"]
-
 LEAST_INFORMATION = 1e-9
 """Of a difference, in parts of that of its own rows: below it, nothing is known but the common shift."""
 

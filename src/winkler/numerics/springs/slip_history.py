@@ -20,8 +20,6 @@ from winkler.numerics.springs.slip_pull import pull_line
 from winkler.numerics.springs.spring_work import work_in_plane, work_on_line
 from winkler.numerics.types import Array
 
-__all__ = ["follow_line", "follow_plane"]
-
 BOUND_TOLERANCE = 1e-9
 """A spring this close to its bound, in parts of it, slips."""
 

@@ -23,8 +23,6 @@ import numpy as np
 from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 
-__all__ = ["FORCE_TOLERANCE", "MOST_STEPS", "march_line"]
-
 SPRINGS_PER_CHUNK = 1024
 """Springs that go through all steps of a block together: few enough to stay in the fastest memory."""
 ZERO_SUBSTITUTE = 1e-300

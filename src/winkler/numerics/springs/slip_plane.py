@@ -24,8 +24,6 @@ from winkler.numerics.jit import compiled
 from winkler.numerics.springs.slip_turn import travel
 from winkler.numerics.types import Array
 
-__all__ = ["march_plane"]
-
 Pair = tuple[Array, Array]
 Three = tuple[Array, Array, Array]
 

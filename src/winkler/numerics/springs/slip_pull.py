@@ -10,8 +10,6 @@ from winkler.numerics.jit import compiled
 from winkler.numerics.springs.slip_kernels import FORCE_TOLERANCE, MOST_STEPS, march_line
 from winkler.numerics.types import Array
 
-__all__ = ["pull_line"]
-
 
 @compiled
 def _pull(

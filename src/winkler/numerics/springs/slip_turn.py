@@ -7,8 +7,6 @@ import math
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.jit import compiled
 
-__all__ = ["MOST_DROPS", "slip_onset", "travel"]
-
 NODES, WEIGHTS = (tuple(map(float, row)) for row in gauss_legendre(12))
 MOST_DROPS = 64
 """How often a spring may drop from its static to its kinetic bound within one step."""

@@ -19,8 +19,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["Measurements", "Response", "SpectrumLayout", "bending", "linearised"]
-
 
 class Response(enum.Enum):
     """Kinds of measured moduli."""

@@ -17,8 +17,6 @@ import numpy as np
 from winkler.numerics.integrals.exponential_integrals import fading, first, second
 from winkler.numerics.jit import compiled
 
-__all__ = ["pass_over"]
-
 
 @compiled
 def _load(relaxed, drag, moduli, lengths, u, slope, turn, memory, y, phi):  # type: ignore[no-untyped-def]

@@ -23,8 +23,6 @@ from winkler.numerics.jit import compiled
 from winkler.numerics.springs.slip_turn import MOST_DROPS, slip_onset
 from winkler.numerics.types import Array
 
-__all__ = ["work_in_plane", "work_on_line"]
-
 NODES, WEIGHTS = (tuple(map(float, row)) for row in gauss_legendre(12))
 FEW_NODES, FEW_WEIGHTS = (tuple(map(float, row)) for row in gauss_legendre(6))
 INTERVAL_WIDTH, NARROW = 2.0, 0.5

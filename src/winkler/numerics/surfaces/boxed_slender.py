@@ -27,8 +27,6 @@ from winkler.numerics.surfaces.slender_grid import SlenderGrid, graded
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["Generator", "SlenderContact", "pressed_levels"]
-
 ROUGH_ELEMENTS = 32
 """Along the contact while its size is sought."""
 ROWS_SHARE = 8

@@ -6,8 +6,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["bridged", "spikes"]
-
 WINDOW_PIXELS = 9
 """Along the side of the square that a spike must stand out of; it may fill a quarter of it."""
 

@@ -13,8 +13,6 @@ from winkler.numerics.surfaces.refined_strips import gaps
 from winkler.numerics.surfaces.strip_equations import LineCurve, Spots
 from winkler.numerics.types import Array, ComplexArray, Curve
 
-__all__ = ["ElementStrips", "FoundStrips", "RefinedStrips"]
-
 SAMPLES, ZOOMS, ZOOMED = 65, 6, 9
 """Places of a strip among which its greatest pressure is sought, at least, and how they close in on it."""
 PLACES_PER_CHUNK, PAIRS_PER_CHUNK = 1000, 1_000_000

@@ -27,8 +27,6 @@ import numpy as np
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
-__all__ = ["HeatedGrid"]
-
 NODES = 32
 SLOW = 1.0
 """c = 2 k x below which the integral is taken over t."""

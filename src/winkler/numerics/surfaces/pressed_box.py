@@ -16,8 +16,6 @@ from winkler.numerics.row_blocks import RowBlocks
 from winkler.numerics.surfaces.surface_grid import SurfaceGrid
 from winkler.values.errors import NotConverged
 
-__all__ = ["BoxContact", "ByDepth", "ByLoad", "box_around"]
-
 LOG = logging.getLogger(__name__)
 REPORTED_PIXELS = 2**18
 """Pixels from which on every step is reported, to who listens to the log."""

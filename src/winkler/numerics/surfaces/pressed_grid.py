@@ -23,8 +23,6 @@ from winkler.numerics.surfaces.pressed_box import BoxContact, ByDepth, ByLoad, b
 from winkler.numerics.surfaces.surface_grid import DOUBLE, SINGLE, SurfaceGrid
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["ByDepth", "ByLoad", "PressedSurface", "press"]
-
 COARSEST_PIXELS = 32
 """Grids of fewer pixels along a side are not halved any more."""
 COARSE_TOLERANCE = 1e-3

@@ -27,8 +27,6 @@ from winkler.numerics.surfaces.strip_elements import power_elements
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["PressedLine", "press_line"]
-
 COARSEST = 96
 """Places of the grid on which the search begins with all elements."""
 MOST_ROUNDS = 80

@@ -20,8 +20,6 @@ from winkler.numerics.surfaces.slender_grid import SlenderGrid
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["Pose", "PressedSlender", "press_slender"]
-
 MOST_SETS, MOST_STEPS = 60, 200
 """Sets of elements tried, and steps of conjugate gradients for each of them; some ten and twenty are usual."""
 RESIDUALS = (1e-5, 1e-12)

@@ -22,8 +22,6 @@ from winkler.numerics.surfaces.traction_grid import Compliance, TractionGrid
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["punch", "stuck_stiffness"]
-
 MOST_ITERATIONS = 2000
 """Iterations after which a punch has not converged; ten are usual."""
 MOST_ROUNDS = 20

@@ -17,8 +17,6 @@ from winkler.numerics.surfaces.strip_equations import LineCurve, Spots, equation
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["Examined", "examined", "gaps", "refined"]
-
 FIRST_TERMS, MOST_TERMS, MOST_UNKNOWNS, MOST_LOADS = 12, 400, 2600, 12000
 TAIL = 3e-13
 """Last terms of a series over the greatest term of all, that count as none."""

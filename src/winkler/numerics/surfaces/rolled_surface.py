@@ -31,8 +31,6 @@ from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["RolledSurface", "doubled_traction", "halved_grid", "halved_means", "in_own_units", "roll"]
-
 MOST_ROUNDS = 100
 """Steps of Newton after which a surface has not converged; five are usual, ten on the coarsest grid."""
 USUAL_ROUNDS = 12

@@ -6,8 +6,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["scars"]
-
 WIDEST_SCAR = 3
 """Pixels across a scar."""
 BLOCK_PIXELS = 32

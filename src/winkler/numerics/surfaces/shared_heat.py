@@ -24,8 +24,6 @@ from winkler.numerics.surfaces.heated_grid import HeatedGrid
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["HeatSharing"]
-
 SOLVED = 1e-9
 """Difference of the temperatures over their size, both in the mean of squares, that the solver leaves."""
 MOST_ROUNDS = 20

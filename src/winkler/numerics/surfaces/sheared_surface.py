@@ -23,8 +23,6 @@ from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["AT_BOUND", "STIFFEST", "RigidStep", "ShearedSurface", "shear", "within"]
-
 MOST_ROUNDS = 100
 """Steps of Newton after which a surface has not converged; ten are usual."""
 USUAL_ROUNDS = 12

@@ -22,8 +22,6 @@ from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["SlenderGrid", "graded"]
-
 SPREAD = 0.3
 """Elements that are spread evenly over those that are not."""
 HALVINGS = 60

@@ -20,17 +20,6 @@ import numpy as np
 from winkler.numerics.pixels.power_law import PowerLawSurface
 from winkler.numerics.types import Array
 
-__all__ = [
-    "by_hats",
-    "element_compliance",
-    "hats",
-    "linear_potential",
-    "linear_slope",
-    "power_compliance",
-    "power_elements",
-    "summed_power",
-]
-
 FAR = 30.0
 """Distance in half-lengths from which moments of the traction are summed: the logarithms lose digits there."""
 MOMENTS = 12

@@ -20,8 +20,6 @@ from winkler.numerics.fields.strip_potential import StripTerms, in_circle, power
 from winkler.numerics.fields.strips_below import Below, loads_of
 from winkler.numerics.types import Array, Curve
 
-__all__ = ["LineCurve", "Spots", "equations", "moved", "nodes_of"]
-
 DIFFERENCE = 1e-6
 """Step of the numerical derivatives by the edges, over the half-width."""
 

@@ -17,8 +17,6 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["StripStep", "StuckStrip", "first_to_stick", "strip_compliance", "strip_step"]
-
 MOST_ITERATIONS = 2000
 FEW_CHANGED, MOST_CHANGED = 4, 32
 """Nodes that begin to stick or to slip before a solution is improved, and before the matrix is factorised anew."""

@@ -21,8 +21,6 @@ from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.threads import cores
 from winkler.numerics.types import Array
 
-__all__ = ["DOUBLE", "SINGLE", "SurfaceGrid", "bytes_needed"]
-
 PERIODIC_COPIES, FREE_COPIES = 18, 26
 """Arrays of double digits of the size of the map that are alive at once, transforms included: of a map and its result
 16 and 25 at most, layered or not."""

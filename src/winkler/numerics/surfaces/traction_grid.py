@@ -30,8 +30,6 @@ from winkler.numerics.pixels.power_law import PowerLawSurface, straightened
 from winkler.numerics.surfaces.surface_grid import LARGEST_CACHED_PIXELS, MEAN_WAVE_RATIO, SINGLE, SurfaceGrid
 from winkler.numerics.types import Array
 
-__all__ = ["Compliance", "TractionGrid"]
-
 
 class Compliance(NamedTuple):
     """Compliances of two bodies along their surfaces, over those across it.

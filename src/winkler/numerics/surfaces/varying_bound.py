@@ -19,8 +19,6 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["Slipping", "Varied", "vary"]
-
 MOST_TURNS = 300
 """Turns after which bound and slip have not settled; ten are usual."""
 GROWING_TURNS = 2

@@ -10,8 +10,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["Kinks", "clear_of_underflow", "noise", "pieces", "root_difference"]
-
 Kinks = Sequence[tuple[float, float]]
 
 

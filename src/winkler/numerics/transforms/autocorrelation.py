@@ -8,8 +8,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["autocorrelation", "fall_distances", "rays"]
-
 STEPS_PER_PIXEL = 4.0
 """Samples of a ray in a pixel."""
 

@@ -21,20 +21,6 @@ from winkler.numerics.types import Array, ComplexArray
 from winkler.values.errors import NotConverged
 from winkler.values.value import value
 
-__all__ = [
-    "ScaledResponse",
-    "SurfaceResponse",
-    "WaveResponse",
-    "faded",
-    "has_tail",
-    "in_own_lengths",
-    "on_axis",
-    "scaled_response",
-    "sine_transform",
-    "transform",
-    "wave_numbers",
-]
-
 PATH_ANGLES = (math.pi / 12.0, math.pi / 17.0)
 """Of the turned path, and of the one that checks it."""
 NODES = 24

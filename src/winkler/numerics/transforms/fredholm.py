@@ -36,21 +36,6 @@ from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.transforms.punch_tables import Punches, octave_of, tables
 from winkler.numerics.types import Array
 
-__all__ = [
-    "Pairs",
-    "area",
-    "edge",
-    "edge_slope",
-    "mean",
-    "moment",
-    "moments",
-    "on_pieces",
-    "punches",
-    "push",
-    "resolvent",
-    "slopes",
-]
-
 POINTS_PER_BLOCK = 4096
 """Places at which a series is summed at once: what fits into a processor's cache."""
 

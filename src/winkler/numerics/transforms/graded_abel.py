@@ -29,17 +29,6 @@ from winkler.numerics.integrals.jacobi_quadrature import settled_power
 from winkler.numerics.transforms.abel_intervals import noise, pieces, root_difference
 from winkler.numerics.types import Array, Curve
 
-__all__ = [
-    "first_above",
-    "gap",
-    "gap_integral",
-    "gap_slope",
-    "half_beta",
-    "kink_slope",
-    "share",
-    "surface",
-]
-
 Kinks = Sequence[tuple[float, float]]
 
 

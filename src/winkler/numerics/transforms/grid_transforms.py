@@ -14,8 +14,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["Cuts", "GridTransforms", "SurfaceTransform", "inner_product"]
-
 BLOCK = 128
 """Rows of a triangular matrix that are multiplied at once."""
 

@@ -22,16 +22,6 @@ from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.transforms.cosine_transform import WaveResponse, transform
 from winkler.numerics.types import Array, Curve
 
-__all__ = [
-    "FAR_DISTANCE_RATIO",
-    "WIDEST_REGULAR_PANEL",
-    "graded_rule",
-    "halving_panels",
-    "kernel_matrix",
-    "legendre_to_chebyshev",
-    "panel_nodes",
-]
-
 WIDEST_REGULAR_PANEL = 3.0
 """A panel wider than this many lengths of the kernel is integrated piece by piece where the kernel is near."""
 FAR_DISTANCE_RATIO = 0.6

@@ -21,8 +21,6 @@ from winkler.numerics.transforms.cosine_transform import WaveResponse, has_tail
 from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms
 from winkler.numerics.types import Array
 
-__all__ = ["LayeredGrid"]
-
 FEWEST_POINTS, MORE_POINTS, MOST_POINTS = 3, 12, 96
 """Gauss points of a cell; more of them in the middle, and where the kernel has a logarithm at the ends of a cell."""
 MIDDLE, POINTS_IN_THE_MIDDLE = 2.0, 48.0

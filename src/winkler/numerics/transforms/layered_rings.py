@@ -10,8 +10,6 @@ from winkler.numerics.transforms.layered_grid import LayeredGrid
 from winkler.numerics.transforms.ring_transforms import RingTransforms
 from winkler.numerics.types import Array
 
-__all__ = ["LayeredRings"]
-
 
 class LayeredRings(LayeredGrid):
     """Matrices of the transforms on one grid of radii.

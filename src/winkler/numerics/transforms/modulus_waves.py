@@ -24,8 +24,6 @@ from winkler.numerics.transforms.wave_creep import CHECKED_WAVES, CUTOFF, WaveCr
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values.errors import NotConverged
 
-__all__ = ["ModulusWaves", "creep_of_poles", "fit_modulus_waves"]
-
 SPACING = 0.3
 """Of the logarithms of the poles."""
 MARGIN = 12.0

@@ -19,8 +19,6 @@ from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_le
 from winkler.numerics.types import ComplexArray
 from winkler.values.value import value
 
-__all__ = ["OddResponse", "parity"]
-
 
 @value
 class OddResponse:

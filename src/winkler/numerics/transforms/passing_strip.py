@@ -45,8 +45,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["PassingStrip", "first_tail", "passing_strip"]
-
 FEWEST_TERMS, TERMS_PER_ROOT = 40, 8.7
 """Terms of a series whose coefficients fall as exp(-n^2 / (2 kappa)) once n exceeds some root of kappa."""
 SMALL = 0.5

@@ -23,8 +23,6 @@ from winkler.numerics.transforms.odd_response import parity
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["Punches", "first_radius", "octave_of", "punch_at", "tables"]
-
 RADII_PER_OCTAVE, FEWER_RADII_PER_OCTAVE = 18, 12
 """Radii of an octave at which the equation is solved; fewer for a response that is not known to all digits."""
 NODE_COUNTS = (12, 16, 24, 32)

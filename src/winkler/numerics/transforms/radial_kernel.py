@@ -24,8 +24,6 @@ from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.transforms.cosine_transform import LEAST_RESPONSE, WaveResponse, transform
 from winkler.numerics.types import Array
 
-__all__ = ["RadialKernel", "radial_kernel", "turning_kernel"]
-
 NODES = 32
 """Of the quadrature, in every octave of sin theta."""
 TOLERANCE_RATIO = 10.0

@@ -20,8 +20,6 @@ import numpy as np
 from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms
 from winkler.numerics.types import Array
 
-__all__ = ["RingTransforms"]
-
 
 class RingTransforms(GridTransforms):
     """Matrices of the transforms on one grid of radii.

@@ -20,8 +20,6 @@ from winkler.numerics.transforms.kernel_matrix import FAR_DISTANCE_RATIO, WIDEST
 from winkler.numerics.transforms.odd_response import parity
 from winkler.numerics.types import Array
 
-__all__ = ["RoundedSums", "rounded_loads", "rounded_slips"]
-
 
 class RoundedSums:
     """The integrals of K(x, s) times the polynomials of each panel, at the nodes x.

@@ -24,8 +24,6 @@ from winkler.numerics.transforms.grid_transforms import Cuts, SurfaceTransform
 from winkler.numerics.transforms.layered_grid import LayeredGrid
 from winkler.numerics.types import Array
 
-__all__ = ["RubbedRings"]
-
 
 class RubbedRings:
     """The shear springs of layers on one grid.

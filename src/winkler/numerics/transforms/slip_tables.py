@@ -40,8 +40,6 @@ from winkler.numerics.transforms.odd_response import parity
 from winkler.numerics.transforms.rounded_slip_tables import rounded_loads, rounded_slips
 from winkler.numerics.types import Array
 
-__all__ = ["SlipTable", "slip_table"]
-
 
 class SlipTable(NamedTuple):
     """What springs bear, at the nodes of panels.

@@ -28,8 +28,6 @@ from winkler.numerics.transforms.cosine_transform import wave_numbers
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values.errors import NotConverged
 
-__all__ = ["WaveCreep", "fit_wave_creep"]
-
 SPACING = 0.3
 """Of the logarithms of the times."""
 MARGIN = 4

@@ -21,8 +21,6 @@ from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveS
 from winkler.problems.adhesion.pull_off import PullOffSolution
 from winkler.problems.adhesion.shear import AdhesiveShear, AdhesiveShearSolution
 
-__all__ = ["contact_of", "cycle_panels", "sheared_panels"]
-
 CYCLE_STATES, STATES_AT_JUMP = 300, 201
 """Number of states along a drawn cycle, and of additional states around each jump."""
 SHEAR_STATES = 161

@@ -20,8 +20,6 @@ from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.adhesion.pull_off import PullOffSolution
 from winkler.values.errors import InvalidInput
 
-__all__ = ["around_panel", "curve_around", "equilibrium_panel", "pull_off_panel", "radii_panel"]
-
 RADII_DRAWN, RADII_DRAWN_IN_TENSION = 1.4, 2.2
 """Largest contact radius of the drawn curve, relative to that of the state; larger under tension."""
 POINTS = 400

@@ -21,8 +21,6 @@ from winkler.problems.conduction.joule_heating import JouleHeatingSolution
 from winkler.problems.conduction.thermal_constriction import ThermalConstrictionSolution
 from winkler.values.errors import OutsideValidity, WinklerError
 
-__all__ = ["constriction_sheet", "joule_sheet", "thermal_sheet"]
-
 POINTS = 49
 DECADES_BEYOND = 1.5
 """Decades drawn below and above a single requested force."""

@@ -17,8 +17,6 @@ from winkler.problems.conduction.joule_heating import JouleHeatingSolution
 from winkler.problems.conduction.thermal_constriction import ThermalConstrictionSolution
 from winkler.values.errors import InvalidInput
 
-__all__ = ["conduction_map", "crossing_panel", "fields_sheet"]
-
 EXTENT_IN_RADII = 3.0
 """Extent of the map in contact radii."""
 GRID = 121

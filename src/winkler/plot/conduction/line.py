@@ -14,8 +14,6 @@ from winkler.plot.series import middle_scale, scale_of, series, with_unit
 from winkler.problems.conduction.line_constriction import LineConstrictionSolution
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["line_constriction_sheet"]
-
 POINTS, DECADES_BEYOND = 41, 1.5
 PARTS = (
     ("resistance_per_length", "whole", style.RED, style.DASHES[0]),

@@ -13,8 +13,6 @@ from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, points, titled
 from winkler.plot.series import Series
 from winkler.values.vocabulary import Word
 
-__all__ = ["measured_resistance_sheet"]
-
 
 @without_extent(ResistanceLog, MeasuredConstrictionSolution)
 def measured_resistance_sheet(item: Any) -> Sheet:

@@ -11,8 +11,6 @@ from winkler.plot.rough.roughness import map_panel, models_panel
 from winkler.plot.series import row_of, series, with_unit
 from winkler.problems.surface_current.constriction import SurfaceConstrictionSolution
 
-__all__ = ["surface_constriction_sheet"]
-
 FEWEST_LOADS = 2
 CURVES = (
     ("resistance", "all"),

@@ -16,8 +16,6 @@ from winkler.problems.conduction.bounds import ConductanceBoundsSolution
 from winkler.problems.conduction.spots import SpotClusterSolution
 from winkler.problems.normal.indentation import Indentation
 
-__all__ = ["bounds_sheet", "spots_sheet"]
-
 POINTS = 161
 
 

@@ -18,8 +18,6 @@ from winkler.plot.panel import Panel, PanelAxis, Sheet
 from winkler.plot.series import Scale, Series, common_scale, middle_scale
 from winkler.values.vocabulary import Word
 
-__all__ = ["comparison_sheet", "depth_sheet", "shared_sheet"]
-
 MOST_WIDTHS = 3.0
 """Greatest interval that is drawn whole, in multiples of the range of the numbers."""
 CONFIDENCE = 0.95

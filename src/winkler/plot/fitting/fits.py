@@ -15,18 +15,6 @@ from winkler.plot.panel import Bars, Dots, Line, Map, Panel, PanelAxis, Rule, Sh
 from winkler.plot.series import Scale, Series, common_scale, middle_scale
 from winkler.values.vocabulary import Word
 
-__all__ = [
-    "DIRECTIONS",
-    "Grid",
-    "fit_panels",
-    "fit_sheet",
-    "grid_of",
-    "map_sheet",
-    "measured_dots",
-    "numbers_sheet",
-    "origin_of",
-]
-
 MOST_BINS = 40
 MOST_OUTLINED_DOTS = 400
 """More points are drawn as dots without an outline."""

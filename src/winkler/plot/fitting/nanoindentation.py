@@ -18,8 +18,6 @@ from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Sheet
 from winkler.plot.series import Series
 from winkler.values.vocabulary import Word
 
-__all__ = ["calibration_sheet", "continuous_sheet", "nanoindentation_sheet", "over_depth", "pop_in_sheet"]
-
 DEPTH = Word("h_c", "m", "contact depth")
 YOUNG, HARDNESS = Word("E", "Pa", "Young's modulus"), Word("H", "Pa", "hardness")
 HEADROOM = 0.1

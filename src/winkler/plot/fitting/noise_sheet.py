@@ -10,8 +10,6 @@ from winkler.plot.panel import Line, Panel, PanelAxis, Rule, Sheet
 from winkler.plot.series import Scale, Series
 from winkler.values.vocabulary import Word
 
-__all__ = ["noise_sheet"]
-
 FEWEST_SPECTRAL, BIN_RATIO = 8, 1.15
 MOST_UNEVEN = 0.01
 """Most difference of the times between points, over their mean, for frequencies in Hz."""

@@ -16,8 +16,6 @@ from winkler.plot.panel import Band, Line, Panel, PanelAxis, Rule, Sheet, Text, 
 from winkler.plot.series import Series
 from winkler.values.vocabulary import Word
 
-__all__ = ["unloading_sheet"]
-
 COLOURS = {
     SegmentKind.LOADING: style.BLUE,
     SegmentKind.HOLD: style.ORANGE,

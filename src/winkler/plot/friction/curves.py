@@ -15,21 +15,6 @@ from winkler.plot import style
 from winkler.plot.panel import Area, Band, Line, Panel, PanelAxis, Rule, among, note, points, zero
 from winkler.plot.series import Series, common_scale, places, scale_of, series, with_unit
 
-__all__ = [
-    "RestorableSprings",
-    "around_contact",
-    "bounds",
-    "energies_panel",
-    "lines_panel",
-    "loop_panel",
-    "loss_text",
-    "mirrored_bounds",
-    "path_ends",
-    "slip_panel",
-    "stick_band",
-    "traction_panel",
-]
-
 MOST_MARKED_POINTS = 40
 """Points of a path are marked individually up to this number."""
 LEAST_SHARE = 0.015

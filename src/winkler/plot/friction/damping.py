@@ -19,8 +19,6 @@ from winkler.problems.friction.bimodal_damping import BimodalDampingSolution
 from winkler.problems.friction.damping import FrictionDamping, FrictionDampingSolution
 from winkler.problems.friction.relaxation_damping import RelaxationDamperSolution
 
-__all__ = ["bimodal_sheet", "damping_sheet", "relaxation_sheet"]
-
 POINTS = 73
 LOOP_POINTS = 101
 LEAST_SHIFT_SHARE, GREATEST_SHIFT_SHARE = 0.02, 4.0

@@ -14,8 +14,6 @@ from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, points, titled
 from winkler.plot.series import Series
 from winkler.values.vocabulary import Word
 
-__all__ = ["loops_sheet"]
-
 MOST_POINTS = 4000
 """Points of the loops that are drawn; of more, those of the last cycles."""
 

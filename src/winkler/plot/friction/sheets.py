@@ -43,18 +43,6 @@ from winkler.problems.friction.torsion_states import TorsionState
 from winkler.values.checks.outline import refuse_unless_round
 from winkler.values.errors import OutsideValidity
 
-__all__ = [
-    "ENERGY_NAMES",
-    "body_sheet",
-    "pushed_state_sheet",
-    "ring_panel",
-    "sheared_sheet",
-    "tangential_sheet",
-    "tangential_state_sheet",
-    "torsion_sheet",
-    "twist_sheet",
-]
-
 RADII_DRAWN = 1.35
 """Extent of the picture of a traction in contact radii."""
 TRACTION = r"$\tau$"

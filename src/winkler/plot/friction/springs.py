@@ -9,8 +9,6 @@ from winkler.plot import style
 from winkler.plot.normal.springs import DrawnSprings, SpringFrame, row_panel, spring_places
 from winkler.plot.panel import Line, Panel, note
 
-__all__ = ["dragged_panel"]
-
 NOTHING = np.empty(0)
 
 

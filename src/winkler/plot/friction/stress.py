@@ -18,8 +18,6 @@ from winkler.plot.series import series, with_unit
 from winkler.problems.answer import Dragged, SelfRestoring, is_dragged, is_self_restoring
 from winkler.values.errors import InvalidInput
 
-__all__ = ["body_stress_panel", "dragged_stress_panel", "in_first"]
-
 POINTS_ACROSS, POINTS_DOWN = 113, 49
 COARSE_POINTS_ACROSS, COARSE_POINTS_DOWN = 61, 25
 """Points of a coarse map."""

@@ -34,8 +34,6 @@ from winkler.problems.heating.steady import FrictionHeatingSolution
 from winkler.problems.heating.transient import TransientHeatingSolution
 from winkler.problems.normal.indentation import IndentationSolution
 
-__all__ = ["fretting_heat_sheet", "heating_sheet", "transient_heating_sheet"]
-
 EXTENT, WAKE = 1.7, 1.5
 """Half the side of the map over the semi-axes, and how much longer it is where the surface leaves the contact."""
 POINTS, REFINEMENT = 33, 4

@@ -13,8 +13,6 @@ from winkler.plot.panel import Panel, PanelAxis, Sheet, among, titled
 from winkler.plot.series import middle_scale, scale_of, series
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["curves_sheet", "refuse_cold"]
-
 COLUMNS = ("first_max_temperature", "second_max_temperature", "first_share")
 
 

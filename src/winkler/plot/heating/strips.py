@@ -15,8 +15,6 @@ from winkler.plot.series import common_scale, middle_scale, series, with_unit
 from winkler.problems.heating.band_heating import BandHeatingSolution
 from winkler.problems.heating.line_heating import LineFrictionHeatingSolution
 
-__all__ = ["strip_heating_sheet"]
-
 HALF_WIDTHS = 4.0
 PLACES = 161
 SPEEDS, DECADES_BEYOND = 21, 1.5

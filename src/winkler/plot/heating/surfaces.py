@@ -17,8 +17,6 @@ from winkler.problems.surface_heating.state import SurfaceHeatState
 from winkler.problems.surface_heating.steady import SurfaceFrictionHeatingSolution
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["surface_friction_heating_sheet"]
-
 RIM = 0.4
 """Frame around the contact, over its size."""
 FEWEST_POINTS = 2

@@ -15,9 +15,6 @@ from winkler.plot.series import series_of
 from winkler.problems.impact.adhesive_impact import AdhesiveImpactSolution
 from winkler.problems.impact.impact import ImpactSolution
 
-__all__ = ["adhesive_impact_sheet", "impact_sheet"]
-
-
 STOPPED_IN_CONTACT = "stopped before the bodies part"
 
 

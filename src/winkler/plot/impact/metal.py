@@ -15,8 +15,6 @@ from winkler.plot.particles.yielding import plastic_sheet
 from winkler.plot.series import row_of, with_unit
 from winkler.problems.plastic.impact import PlasticImpactSolution
 
-__all__ = ["plastic_impact_sheet"]
-
 TITLES = "restitution", "dent", "time of contact"
 
 

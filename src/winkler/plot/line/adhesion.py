@@ -6,16 +6,11 @@ import numpy as np
 
 from winkler.plot import style
 from winkler.plot.dispatch import sheet_of
-from winkler.plot.extent import checked_extent
-from winkler.plot.line.contact import across, flat, mirrored, surface_panel
-from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, titled, zero
-from winkler.plot.rough.roughness import models_panel
-from winkler.plot.series import places, scale_of, series, with_unit
+from winkler.plot.line.contact import across, mirrored, one_strip, over
+from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, zero
+from winkler.plot.series import places, scale_of, series
 from winkler.problems.line.adhesion import LineAdhesionSolution
 
-__all__ = ["line_adhesion_sheet"]
-
-HALF_WIDTHS_DRAWN = 2.0
 PULL_DRAWN = 1.5
 """Deepest tension that is drawn, over the greatest pressure or the tension in the middle."""
 
@@ -24,13 +19,8 @@ PULL_DRAWN = 1.5
 def line_adhesion_sheet(item: LineAdhesionSolution, *, extent: float | None = None) -> Sheet:
     """Return pressure and surfaces of one load; of many loads the half-width over the force per length."""
     if np.ndim(item.half_width) > 0:
-        panel = models_panel(flat(item, "force_per_length"), [(flat(item, "half_width"), "")])
-        return Sheet((panel,), width=4.6)
-    a = float(item.half_width)
-    end = checked_extent(extent) or HALF_WIDTHS_DRAWN * a or 1.0
-    title = f"{with_unit(float(item.force_per_length), 'N/m')} on a half-width of {with_unit(a, 'm')}"
-    panels = titled((_pressure_panel(item, end), surface_panel(item, end)), "pressure", "distance of the surfaces")
-    return Sheet(panels, height=3.1, title=title)
+        return Sheet((over(item, "half_width"),), width=4.6)
+    return one_strip(item, _pressure_panel, extent)
 
 
 def _pressure_panel(item: LineAdhesionSolution, end: float) -> Panel:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ import numpy as np
 from winkler.loading.loads import HalfWidth
 from winkler.materials.elastic import Elastic
 from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import checked_extent
@@ -22,11 +24,10 @@ from winkler.problems.line.layered_approach import has_depth
 from winkler.problems.line.shakedown import LineShakedownSolution
 from winkler.problems.line.yielding import LineYieldOnsetSolution
 
-__all__ = ["across", "flat", "line_sheet", "line_yield_sheet", "mirrored", "surface_panel"]
-
 ACROSS, DOWN = 81, 49
 """Places of a map of stresses."""
 
+Strip = LineSolution | LineAdhesionSolution
 HALF_WIDTHS_DRAWN = 2.0
 CLIPPED = 99.0
 """Percentile of a pressure that is infinite somewhere, above which it is not drawn."""
@@ -36,21 +37,21 @@ CLIPPED = 99.0
 def line_sheet(item: LineSolution, *, extent: float | None = None) -> Sheet:
     """Return pressure and surfaces of one load; of many loads half-width and pressures over the force per length."""
     if np.ndim(item.half_width) == 0:
-        a = float(item.half_width)
-        end = checked_extent(extent) or HALF_WIDTHS_DRAWN * a or 1.0
-        title = f"{with_unit(float(item.force_per_length), 'N/m')} on a half-width of {with_unit(a, 'm')}"
-        panels = titled((_pressure_panel(item, end), surface_panel(item, end)), "pressure", "distance of the surfaces")
-        return Sheet(panels, height=3.1, title=title)
-    force = flat(item, "force_per_length")
-    pressures = [(flat(item, "mean_pressure"), "mean")]
-    if np.isfinite(item.peak_pressure).all():
-        pressures.insert(0, (flat(item, "peak_pressure"), "greatest"))
-    widths = models_panel(force, [(flat(item, "half_width"), "")])
-    over_force, titles = [widths, models_panel(force, pressures, label="pressure")], ["half-width", "pressure"]
+        return one_strip(item, _pressure_panel, extent)
+    panels, titles = [over(item, "half_width"), pressures_over(item)], ["half-width", "pressure"]
     if has_depth(item.problem.bed.medium):
-        over_force.append(models_panel(force, [(flat(item, "depth"), "")]))
+        panels.append(over(item, "depth"))
         titles.append("depth")
-    return Sheet(titled(tuple(over_force), *titles))
+    return Sheet(titled(panels, *titles))
+
+
+def one_strip(item: Strip, pressure_panel: Callable[[Any, float], Panel], extent: float | None) -> Sheet:
+    """Return pressure and surfaces of one load."""
+    a = float(item.half_width)
+    end = checked_extent(extent) or HALF_WIDTHS_DRAWN * a or 1.0
+    title = f"{with_unit(float(item.force_per_length), 'N/m')} on a half-width of {with_unit(a, 'm')}"
+    panels = titled((pressure_panel(item, end), surface_panel(item, end)), "pressure", "distance of the surfaces")
+    return Sheet(panels, height=3.1, title=title)
 
 
 @sheet_of.register(LineYieldOnsetSolution)
@@ -64,11 +65,11 @@ def line_yield_sheet(item: LineYieldOnsetSolution | LineShakedownSolution, *, ex
     z = sign * min(end, _deepest(item) if sign > 0.0 else end) * np.linspace(0.0, 1.0, DOWN) ** 1.6
     contact = LineIndentation(item.problem.bed, HalfWidth(a)).solve()
     found = contact.stresses(x[:, None], z[None, :] + sign * 1e-6 * a, item.problem.friction.coefficient)
-    across, down = np.broadcast_arrays(x[:, None], z[None, :])
+    beside, down = np.broadcast_arrays(x[:, None], z[None, :])
     place = Line(np.array([item.x]), np.array([item.z]), "white", width=0.0, marker="+", size=9.0)
     onset = isinstance(item, LineYieldOnsetSolution)
     limited = series("von_mises", found.von_mises) if onset else series("xz_stress", np.abs(found.xz_stress))
-    panel = stress_map(series("x", across), series("z", down), limited, "$x$")
+    panel = stress_map(series("x", beside), series("z", down), limited, "$x$")
     limit = "onset of yield" if onset else "shakedown limit"
     title = f"{limit}: {with_unit(item.force_per_length, 'N/m')} on a half-width of {with_unit(a, 'm')}"
     return Sheet((panel.plus(place),), width=5.4, height=3.3, title=title)
@@ -87,7 +88,20 @@ def flat(item: Any, name: str) -> Series:
     return series(name, np.ravel(np.asarray(getattr(item, name), dtype=float)), type(item))
 
 
-def mirrored(x: np.ndarray, content: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def over(item: Any, name: str, along: str = "force_per_length") -> Panel:
+    """Return a result of all loads over the load."""
+    return models_panel(flat(item, along), [(flat(item, name), "")])
+
+
+def pressures_over(item: Any, along: str = "force_per_length", name: str = "mean", of: str = "mean_pressure") -> Panel:
+    """Return the greatest pressure, where it is finite, and another one of all loads over the load."""
+    pressures = [(flat(item, of), name)]
+    if np.isfinite(item.peak_pressure).all():
+        pressures.insert(0, (flat(item, "peak_pressure"), "greatest"))
+    return models_panel(flat(item, along), pressures, label="pressure")
+
+
+def mirrored(x: Array, content: Array) -> tuple[Array, Array]:
     """Return places and contents on both sides of the middle."""
     return np.concatenate([-x[::-1], x]), np.concatenate([content[::-1], content])
 
@@ -101,24 +115,33 @@ def _pressure_panel(item: LineSolution, end: float) -> Panel:
     a = float(item.half_width)
     marks = (a, *(b for b, _ in item.problem.bed.kinks if b < end)) if a > 0.0 else ()
     x = places(end, marks, count=241)
-    pressure = item.pressure(x)
-    finite = np.where(np.isfinite(pressure), pressure, np.nan)
-    drawn = series("pressure", finite)
-    infinite = not np.isfinite(item.peak_pressure)
-    most = float(np.nanpercentile(finite, CLIPPED) if infinite else np.nanmax(finite))
-    upright = PanelAxis.of(drawn, scale_of("Pa", [most]), low=0.0, high=1.1 * most if most > 0.0 else None)
+    finite, upright = pressure_axis(item.pressure(x), CLIPPED if np.isinf(item.peak_pressure) else 100.0)
     return Panel((Line(*mirrored(x, finite), style.RED),), across(end), upright)
 
 
-def surface_panel(item: LineSolution | LineAdhesionSolution, end: float) -> Panel:
+def pressure_axis(pressure: Array, share: float = 100.0) -> tuple[Array, PanelAxis]:
+    """Return a pressure without infinite values, and its axis up to the percentile `share`."""
+    finite = np.where(np.isfinite(pressure), pressure, np.nan)
+    most = float(np.nanpercentile(finite, share) if share < 100.0 else np.nanmax(finite))
+    of, high = series("pressure", finite), 1.1 * most if most > 0.0 else None
+    return finite, PanelAxis.of(of, scale_of("Pa", [most]), low=0.0, high=high)
+
+
+def surface_panel(item: Strip, end: float) -> Panel:
     """Return the surfaces before and after they are pressed, as the distance between them."""
     bed, a = item.problem.bed, float(item.half_width)
     end = min(end, bed.reach, bed.rim)
     x = places(end, (a,) if 0.0 < a < end else (), count=121)
-    before = series("separation", np.asarray(bed.profile.height(x), dtype=float))
-    marks = [Line(*mirrored(x, before.content), style.MUTED, dash=style.DASHES[1], name="before")]
-    if a < bed.rim:
-        marks.append(Line(*mirrored(x, item.separation(x)), style.BLUE, name="pressed"))
-    most = float(np.max(before.content))
-    upright = PanelAxis.of(before, scale_of("m", [most or 1.0]), low=0.0, high=1.05 * most if most > 0.0 else None)
-    return Panel(tuple(marks), across(end), upright, legend="upper center")
+    before = np.asarray(bed.profile.height(x), dtype=float)
+    both, height = mirrored(x, before)
+    pressed = mirrored(x, item.separation(x))[1] if a < bed.rim else None
+    return distance_panel(both, height, pressed, across(end), legend="upper center")
+
+
+def distance_panel(x: Array, before: Array, pressed: Array | None, along: PanelAxis, legend: str) -> Panel:
+    """Return the distance of the surfaces before and after they are pressed."""
+    most = float(np.nanmax(before))
+    marks = [Line(x, before, style.MUTED, dash=style.DASHES[1], name="before")]
+    marks += [] if pressed is None else [Line(x, pressed, style.BLUE, name="pressed")]
+    of, high = series("separation", before), 1.05 * most if most > 0.0 else None
+    return Panel(tuple(marks), along, PanelAxis.of(of, scale_of("m", [most or 1.0]), low=0.0, high=high), legend=legend)

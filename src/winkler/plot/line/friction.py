@@ -11,6 +11,7 @@ from winkler.plot import style
 from winkler.plot.dispatch import sheet_of, without_extent
 from winkler.plot.extent import checked_extent
 from winkler.plot.friction.curves import loop_panel, mirrored_bounds
+from winkler.plot.line.contact import across
 from winkler.plot.normal.stresses import stress_map
 from winkler.plot.panel import NO_CONTACT, Area, Band, Line, Panel, PanelAxis, Rule, Sheet, note, titled, zero
 from winkler.plot.series import places, scale_of, series, with_unit
@@ -18,8 +19,6 @@ from winkler.problems.line_friction.marched_states import LineMarchedState
 from winkler.problems.line_friction.states import LineTangentialState
 from winkler.problems.line_friction.tangential import LineTangentialSolution
 from winkler.values.errors import OutsideValidity
-
-__all__ = ["line_tangential_sheet", "line_tangential_state_sheet"]
 
 ACROSS, DOWN = 81, 41
 """Places of a map of stresses."""
@@ -76,10 +75,6 @@ def _stuck(item: LineTangentialState | LineMarchedState) -> list[Any]:
     return [Band(middle - c, middle + c, name="stick")] if c > 0.0 else []
 
 
-def _across(end: float) -> PanelAxis:
-    return PanelAxis("$x$", scale_of("m", [end]), low=-end, high=end)
-
-
 def _places(item: LineTangentialState | LineMarchedState, end: float) -> Array:
     """Return places on either side, dense at the edges of all strips."""
     if isinstance(item, LineMarchedState):
@@ -110,7 +105,7 @@ def _traction_panel(item: LineTangentialState | LineMarchedState, end: float) ->
     low = -top if float(np.nanmin(seen[1])) < 0.0 else 0.0
     of, scale = series("traction", rubbed), scale_of("Pa", [top])
     upright = PanelAxis.of(of, scale, low=1.15 * low, high=1.45 * top if top > 0.0 else scale.factor)
-    return Panel(marks, _across(end), upright, legend="upper right")
+    return Panel(marks, across(end), upright, legend="upper right")
 
 
 def _slip_panel(item: LineTangentialState | LineMarchedState) -> Panel:
@@ -120,11 +115,11 @@ def _slip_panel(item: LineTangentialState | LineMarchedState) -> Panel:
     edges = (Rule(side * item.half_width, upright=True, width=0.9, dash=style.DOTTED) for side in (-1.0, 1.0))
     marks = (*_stuck(item), Line(x, ahead.content, style.BLUE, name="second body ahead"), *edges, zero())
     upright = PanelAxis("slip", scale_of("m", ahead.content), margin=0.08, headroom=0.35)
-    return Panel(marks, _across(end), upright, legend="upper center")
+    return Panel(marks, across(end), upright, legend="upper center")
 
 
 def _stress_panel(item: LineTangentialState | LineMarchedState, end: float) -> Panel:
     x, z = np.linspace(-end, end, ACROSS), end * np.linspace(0.0, 1.0, DOWN) ** 1.6
     fields = item.stresses(x[:, None], z[None, :] + DEEPEST_SURFACE * item.half_width)
-    across, down = np.broadcast_arrays(x[:, None], z[None, :])
-    return stress_map(series("x", across), series("z", down), series("von_mises", fields.von_mises), "$x$")
+    along, down = np.broadcast_arrays(x[:, None], z[None, :])
+    return stress_map(series("x", along), series("z", down), series("von_mises", fields.von_mises), "$x$")

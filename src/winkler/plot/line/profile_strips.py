@@ -6,13 +6,10 @@ import numpy as np
 
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
-from winkler.plot.line.contact import flat
+from winkler.plot.line.contact import distance_panel, over, pressure_axis, pressures_over
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, points, titled
-from winkler.plot.rough.roughness import models_panel
 from winkler.plot.series import scale_of, series, with_unit
 from winkler.problems.line_strips.profile_contact import LineProfileSolution
-
-__all__ = ["strips_sheet"]
 
 PLACES, INSIDE = 1201, 65
 """Places along the section and on each strip."""
@@ -38,13 +35,8 @@ def strips_sheet(item: LineProfileSolution) -> Sheet:
         return Sheet(
             titled(panels, "pressure", "distance of the surfaces", "force per strip"), 3, height=3.1, title=title
         )
-    force = flat(item, "force_per_length")
-    pressures = [(flat(item, "mean_pressure"), "mean of the strips")]
-    if np.isfinite(item.peak_pressure).all():
-        pressures.insert(0, (flat(item, "peak_pressure"), "greatest"))
-    lengths = models_panel(force, [(flat(item, "contact_length"), "")])
-    counts = models_panel(force, [(flat(item, "strip_count"), "")])
-    panels = (lengths, models_panel(force, pressures, label="pressure"), counts)
+    pressures = pressures_over(item, name="mean of the strips")
+    panels = (over(item, "contact_length"), pressures, over(item, "strip_count"))
     return Sheet(titled(panels, "contact length", "pressure", "strips"), 3, height=3.1)
 
 
@@ -68,12 +60,7 @@ def _places(item: LineProfileSolution, edges: np.ndarray) -> np.ndarray:
 
 def _pressure_panel(item: LineProfileSolution, edges: np.ndarray) -> Panel:
     x = _places(item, edges)
-    pressure = item.pressure(x)
-    finite = np.where(np.isfinite(pressure), pressure, np.nan)
-    infinite = not np.isfinite(item.peak_pressure)
-    most = float(np.nanpercentile(finite, CLIPPED) if infinite else np.nanmax(finite))
-    drawn = series("pressure", finite)
-    upright = PanelAxis.of(drawn, scale_of("Pa", [most]), low=0.0, high=1.1 * most if most > 0.0 else None)
+    finite, upright = pressure_axis(item.pressure(x), CLIPPED if np.isinf(item.peak_pressure) else 100.0)
     return Panel((Line(x, finite, style.RED),), _axis(x), upright)
 
 
@@ -85,15 +72,11 @@ def _surface_panel(item: LineProfileSolution, edges: np.ndarray) -> Panel:
     height = np.full(x.shape, np.nan)
     height[known] = section.height(x[known]) - np.asarray(item.tilt) * x[known]
     height -= np.nanmin(height)
-    marks = [Line(x, height, style.MUTED, dash=style.DASHES[1], name="before")]
+    apart = None
     if item.strip_count:
         apart = np.full(x.shape, np.nan)
         apart[known] = item.separation(x[known])
-        marks.append(Line(x, apart, style.BLUE, name="pressed"))
-    most = float(np.nanmax(height))
-    before = series("separation", height)
-    upright = PanelAxis.of(before, scale_of("m", [most or 1.0]), low=0.0, high=1.05 * most if most > 0.0 else None)
-    return Panel(tuple(marks), _axis(x), upright, legend="upper center")
+    return distance_panel(x, height, apart, _axis(x), legend="upper center")
 
 
 def _force_panel(edges: np.ndarray, forces: np.ndarray) -> Panel:

@@ -7,12 +7,11 @@ import numpy as np
 from winkler.plot import style
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import checked_extent
+from winkler.plot.line.contact import across
 from winkler.plot.panel import NO_CONTACT, Area, Line, Panel, PanelAxis, Sheet, titled
 from winkler.plot.series import scale_of, series, with_unit
 from winkler.problems.line_viscoelastic.indentation import LineViscoelasticSolution
 from winkler.problems.line_viscoelastic.states import LineViscoelasticState
-
-__all__ = ["line_viscoelastic_sheet", "line_viscoelastic_state_sheet"]
 
 PLACES = 401
 BESIDE = 1.15
@@ -78,6 +77,5 @@ def _pressures(states: list[LineViscoelasticState], end: float) -> Panel:
     if len(states) == 1:
         marks.append(Area(x, seen[0], 0.0, style.CYCLE[0], 0.12))
     most = float(np.nanmax([np.nanmax(pressure) for pressure in seen]))
-    along = PanelAxis("$x$", scale_of("m", [end]), low=-end, high=end)
     upright = PanelAxis.of(series("pressure", pressures[0]), scale_of("Pa", [most]), low=0.0, high=1.4 * most)
-    return Panel(tuple(marks), along, upright, legend="upper right" if len(states) > 1 else "")
+    return Panel(tuple(marks), across(end), upright, legend="upper right" if len(states) > 1 else "")

@@ -9,13 +9,11 @@ import numpy as np
 
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
+from winkler.plot.line.contact import over, pressures_over
 from winkler.plot.panel import Line, Map, Panel, PanelAxis, Rule, Sheet, note, titled
-from winkler.plot.rough.roughness import models_panel
-from winkler.plot.series import row_of, scale_of, series, with_unit
+from winkler.plot.series import scale_of, series, with_unit
 from winkler.problems.rollers.roller_contact import RollerSolution
 from winkler.problems.rollers.roller_state import RollerState
-
-__all__ = ["roller_sheet"]
 
 FEWEST_LOADS = 2
 SHARP_ROOM = 1.8
@@ -28,11 +26,7 @@ def roller_sheet(item: RollerSolution) -> Sheet:
     state = item.last
     panels = [*titled((_map_panel(item), _along_panel(item), _loads_panel(item)), *TITLES)]
     if np.size(item.force) >= FEWEST_LOADS:
-        force = row_of(item, "force")
-        pressures = [(row_of(item, "middle_pressure"), "middle")]
-        if np.isfinite(item.peak_pressure).all():
-            pressures.insert(0, (row_of(item, "peak_pressure"), "greatest"))
-        curves = (models_panel(force, [(row_of(item, "depth"), "")]), models_panel(force, pressures, label="pressure"))
+        curves = over(item, "depth", "force"), pressures_over(item, "force", "middle", "middle_pressure")
         panels += titled(curves, "depth", "pressures")
     return Sheet(tuple(panels), 3, width=4.2, height=3.1, title=_headline(state))
 

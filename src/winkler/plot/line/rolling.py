@@ -12,6 +12,7 @@ from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import checked_extent
+from winkler.plot.line.contact import across
 from winkler.plot.panel import Line, Panel, PanelAxis, Rule, Sheet, points, titled
 from winkler.plot.series import scale_of, series, series_of, with_unit
 from winkler.problems.line_rolling.resistance import LineRollingResistanceSolution
@@ -20,8 +21,6 @@ from winkler.problems.line_rolling.start import LineRollingStartSolution
 from winkler.problems.line_rolling.start_states import DRAGGED
 from winkler.problems.line_rolling.steady import LineRollingSolution
 from winkler.problems.rolling.creepage import Creepage
-
-__all__ = ["line_resistance_sheet", "line_rolling_sheet", "line_rolling_start_sheet"]
 
 POINTS, STRIP_POINTS, COUPLED_POINTS = 121, 41, 15
 """Of a creep curve in closed form, on elements, and on elements with coupling, which take longer."""
@@ -78,13 +77,12 @@ def _creep_panel(item: LineRollingSolution) -> Panel:
         along, places = np.unique(np.append(along, creepage), return_index=True)
         forces = np.append(forces, ratio)[places]
     of = series("longitudinal_creepage", along, LineRollingSolution)
-    across = PanelAxis.of(of)
     marks = (
         Line(along, forces, style.BLUE),
         points(creepage, ratio, style.RED),
         Rule(1.0, width=0.9, dash=style.DOTTED),
     )
-    return Panel(marks, across, PanelAxis(r"force $Q/(\mu P)$", margin=0.1))
+    return Panel(marks, PanelAxis.of(of), PanelAxis(r"force $Q/(\mu P)$", margin=0.1))
 
 
 def _used(item: LineRollingSolution) -> Array:
@@ -105,11 +103,7 @@ def _traction_panel(drawn: list[LineRollingSolution], end: float) -> Panel:
     for colour, one, traction in zip(style.CYCLE, drawn, tractions, strict=False):
         marks.append(Line(x, traction, colour, name=f"$c/a = {float(one.stick_share):.2g}$"))
     upright = PanelAxis.of(series("traction", tractions[0]), scale_of("Pa", bound), margin=0.1)
-    return Panel(tuple(marks), _along(end), upright, legend="upper left", outside=True)
-
-
-def _along(end: float) -> PanelAxis:
-    return PanelAxis("$x$", scale_of("m", [end]), low=-end, high=end)
+    return Panel(tuple(marks), across(end), upright, legend="upper left", outside=True)
 
 
 @sheet_of.register(LineRollingStartSolution)
@@ -140,7 +134,7 @@ def _states_panel(item: LineRollingStartSolution, end: float) -> Panel:
         name = "at rest" if one.distance == 0.0 else f"after {one.distance / a:.2g} $a$"
         marks.append(Line(x, np.pad(one.traction, 1), colour, width=1.4, name=name))
     upright = PanelAxis.of(series("traction", bound), scale_of("Pa", bound), margin=0.1)
-    return Panel(tuple(marks), _along(end), upright, legend="upper left", outside=True)
+    return Panel(tuple(marks), across(end), upright, legend="upper left", outside=True)
 
 
 @sheet_of.register(LineRollingResistanceSolution)
@@ -160,7 +154,7 @@ def line_resistance_sheet(item: LineRollingResistanceSolution, *, extent: float 
     )
     most = max(float(np.max(pressure)) for pressure in pressures)
     upright = PanelAxis.of(series("pressure", pressures[0]), scale_of("Pa", [most]), low=0.0, high=1.1 * most)
-    pressed = Panel(marks, _along(end), upright, legend="upper left" if many else "")
+    pressed = Panel(marks, across(end), upright, legend="upper left" if many else "")
     if not many:
         title = f"resistance {float(item.coefficient):.3g} of the force per length"
         return Sheet((pressed,), height=3.1, title=title)

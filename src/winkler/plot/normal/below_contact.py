@@ -25,8 +25,6 @@ from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.normal.onset.ellipse_in_layers import EllipseInLayers
 from winkler.problems.subsurface.contact_stress import ContactStressSolution
 
-__all__ = ["contact_stress_sheet", "depth_sheet"]
-
 ACROSS, DOWN = 61, 81
 """Places of the plane of which the greatest at each depth is drawn."""
 FEW_DOWN = 25

@@ -21,8 +21,6 @@ from winkler.plot.panel import Facets, Line, Panel, PanelAxis, Polygon, Text
 from winkler.plot.series import with_unit
 from winkler.problems.answer import Restorable
 
-__all__ = ["body_panel", "contact_panel"]
-
 ELEVATION = math.radians(27.0)
 HALF_CUT_ANGLE = math.radians(58.0)
 """Half of the sector that is cut out of the body, towards the reader."""

@@ -18,19 +18,6 @@ from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.answer import Restorable
 from winkler.problems.normal.indentation import IndentationSolution
 
-__all__ = [
-    "curve_panel",
-    "force_depth",
-    "line_load",
-    "line_load_panel",
-    "load_curves",
-    "loaded_so_far",
-    "pressure_panel",
-    "surface",
-    "surface_panel",
-    "surface_pressure_panel",
-]
-
 MOST_MARKED_POINTS = 40
 """Points of a curve are marked individually up to this number."""
 POINTS = 121

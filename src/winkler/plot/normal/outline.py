@@ -11,8 +11,6 @@ from winkler.plot.series import places, scale_of
 from winkler.profiles.measured import Measured
 from winkler.profiles.profile import Profile
 
-__all__ = ["profile_panel"]
-
 
 def profile_panel(profile: Profile, extent: float) -> Panel:
     """Return f(r) and g(x) of a shape, and the points of a measured one.

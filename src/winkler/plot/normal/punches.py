@@ -10,8 +10,6 @@ from winkler.plot import style
 from winkler.plot.panel import Line, Panel, PanelAxis, Polygon, Rule
 from winkler.plot.series import places, scale_of, series
 
-__all__ = ["pressures_panel", "steps_panel"]
-
 WIDTH_WITH_NAMES = 1.7
 """Width of the panel of pressures over what is drawn in it."""
 

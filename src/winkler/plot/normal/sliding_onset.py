@@ -17,8 +17,6 @@ from winkler.plot.series import series
 from winkler.problems.normal.greatest_stress import stress_in_plane
 from winkler.problems.normal.yielding import YieldOnsetSolution, part_that_yields
 
-__all__ = ["sliding_stress_panel"]
-
 POINTS_ACROSS, POINTS_DOWN = 113, 49
 DEPTH_IN_RADII = 1.6
 """Depth of the map in contact radii."""

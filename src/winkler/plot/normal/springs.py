@@ -18,17 +18,6 @@ from winkler.plot.medium import OFFSET_FROM_AXIS, is_varied
 from winkler.plot.panel import Area, Arrow, Line, Panel, PanelAxis, Rule, Strokes, Text, note
 from winkler.plot.series import Series, places, round_numbers, scale_of, series
 
-__all__ = [
-    "DrawnSprings",
-    "SpringFrame",
-    "at_first_touch",
-    "plane_profile",
-    "row_panel",
-    "spring_places",
-    "springs_panel",
-    "stretched",
-]
-
 COILS = 9
 SPRINGS_DRAWN = 33
 """Number of drawn springs; the method itself is continuous."""

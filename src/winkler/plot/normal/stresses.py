@@ -22,17 +22,6 @@ from winkler.plot.series import Series, common_scale, round_numbers, scale_of, s
 from winkler.problems.answer import Restorable
 from winkler.values.errors import InvalidInput
 
-__all__ = [
-    "along_panel",
-    "depths_through",
-    "faces_above",
-    "field_panel",
-    "first_body_deforms",
-    "interface_rules",
-    "stress_map",
-    "stress_panel",
-]
-
 POINTS_ACROSS, POINTS_DOWN = 57, 49
 COARSE_POINTS_ACROSS, COARSE_POINTS_DOWN, COARSE_EXTENT_IN_RADII = 31, 25, 2.2
 """Points of a coarse map, and its extent in contact radii."""

@@ -27,8 +27,6 @@ from winkler.problems.plastic.indentation import PlasticIndentation, PlasticSolu
 from winkler.problems.plastic.strength_from_dent import StrengthFromDentSolution
 from winkler.values.errors import InvalidInput
 
-__all__ = ["blow_of", "dent_sheets", "pressed_of", "surface_of"]
-
 RADII_DRAWN = 1.7
 """Extent of the picture in radii of the greatest contact."""
 POINTS = 241

@@ -23,15 +23,6 @@ from winkler.problems.plastic.indentation import PlasticSolution
 from winkler.problems.plastic.line_indentation import LinePlasticIndentation, LinePlasticSolution
 from winkler.problems.plastic.strength_from_dent import StrengthFromDentSolution
 
-__all__ = [
-    "dent_limit_sheet",
-    "dent_strength_sheet",
-    "line_dent_sheet",
-    "loop_panels",
-    "particle_sheet",
-    "plastic_sheet",
-]
-
 Yielding = ParticleSolution | PlasticSolution
 
 STATES_PER_LEG = 120

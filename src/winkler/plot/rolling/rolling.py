@@ -19,8 +19,6 @@ from winkler.problems.rolling.simplified_theory import SimplifiedRollingSolution
 from winkler.problems.rolling.start import RollingStartSolution
 from winkler.problems.rolling.steady import RollingSolution
 
-__all__: list[str] = []
-
 POINTS = 121
 CREEPAGE_BEYOND_SLIDING = 1.35
 """Range of a creep curve relative to the creepage at full sliding."""

@@ -16,8 +16,6 @@ from winkler.problems.subsurface.below_surface import fields_at_depth, fields_on
 from winkler.problems.subsurface.map_stress import MapStressSolution
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["map_stress_sheet"]
-
 DEPTHS_DRAWN = 41
 LEAST_DEPTH_DRAWN = 0.35
 """Depth of the picture over the length of the map, unless the greatest stress lies deeper."""

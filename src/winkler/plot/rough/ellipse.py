@@ -19,8 +19,6 @@ from winkler.problems.normal.elliptic_yielding import EllipticYieldOnsetSolution
 from winkler.profiles.rough.topography import Topography
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["ellipse_sheet", "ellipse_yield_sheet"]
-
 PIXELS_ACROSS = 201
 ACROSS, DOWN = 81, 49
 """Places of a map of stresses."""

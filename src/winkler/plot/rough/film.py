@@ -18,8 +18,6 @@ from winkler.problems.subsurface.traction_frames import TractionFrame, frame_at
 from winkler.values.errors import InvalidInput
 from winkler.values.readable import scale_of
 
-__all__ = ["film", "film_panels", "film_sheet", "film_sheets", "has_frames"]
-
 
 def has_frames(item: Any) -> bool:
     """Return whether a solution has frames of a history."""

@@ -13,8 +13,6 @@ from winkler.plot.rough.roughness import map_panel, models_panel
 from winkler.plot.series import row_of, scale_of, series, series_of, with_unit
 from winkler.problems.surface_friction.joint import JointStiffnessSolution
 
-__all__ = ["joint_sheet"]
-
 FEWEST_LOADS = 2
 RATIO_MARGIN = 0.05
 """Of the axis of the ratios, above and below."""

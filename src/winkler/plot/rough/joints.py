@@ -14,8 +14,6 @@ from winkler.problems.pressed_maps.seal_states import gap_of
 from winkler.problems.pressed_maps.thermal_joint import ThermalJointSolution
 from winkler.values.vocabulary import Word
 
-__all__ = ["flow_factors_sheet", "thermal_joint_sheet"]
-
 FEWEST_LOADS = 2
 DECADES = 3.0
 """Of the flux that are drawn; a gap carries thousandths of what spots do."""

@@ -18,8 +18,6 @@ from winkler.problems.rough.elastomer_friction import ElastomerFrictionSolution
 from winkler.problems.rough.line_contact import RoughContactSolution
 from winkler.problems.rough.line_indentation import RoughIndentationSolution
 
-__all__ = ["contour_sheet", "elastomer_sheet", "lines_sheet"]
-
 MOST_CONTOURS = 6
 """Most contours drawn."""
 CONTOUR_DIRECTIONS = 256

@@ -19,8 +19,6 @@ from winkler.profiles.rough.map_statistics import MapStatistics, bearing_heights
 from winkler.profiles.rough.tip_limit import curvature_over_distance
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["scan_sheet", "statistics_sheet"]
-
 SHARES = np.linspace(0.0, 1.0, 201)
 FARTHEST = 6.0
 """Distances of the autocorrelation that are drawn, in longest correlation lengths."""

@@ -16,8 +16,6 @@ from winkler.problems.profile_pair.pair_rolling import ProfilePairRollingSolutio
 from winkler.problems.profile_pair.rolled_patch import RolledPatch
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["pair_rolling_sheet"]
-
 MOST_PATCHES = 2
 """Patches whose tractions are drawn."""
 

@@ -19,8 +19,6 @@ from winkler.problems.pressed_maps.seal_states import FilmPassage, gap_of
 from winkler.problems.pressed_maps.true_area import TrueAreaSolution, patch_areas
 from winkler.problems.rough.surface_states import SurfaceState
 
-__all__ = ["seal_sheet", "true_area_sheet"]
-
 FEWEST_LOADS = 2
 ARROWS_ACROSS = 17
 BINS = 60

@@ -15,8 +15,6 @@ from winkler.problems.profile_pair.patch import ProfilePatch
 from winkler.problems.profile_pair.profile_pair import ProfilePair, ProfilePairSolution
 from winkler.profiles.sections.cross_profile import CrossProfile
 
-__all__ = ["bodies_panel", "profile_pair_sheet"]
-
 PLACES = 801
 GAP_DRAWN = 12.0
 """Greatest gap that is drawn, over the drop."""

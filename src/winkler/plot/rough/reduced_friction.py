@@ -17,8 +17,6 @@ from winkler.plot.series import series, with_unit
 from winkler.problems.friction.tangential import Tangential
 from winkler.problems.surface_friction.reduced import ReducedFrictionSolution
 
-__all__ = ["reduced_friction_sheet"]
-
 POINTS_BETWEEN = 12
 """Points of a drawn loop for each compared one."""
 RATIO_MARGIN = 0.04

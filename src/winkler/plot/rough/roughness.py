@@ -18,17 +18,6 @@ from winkler.profiles.rough.map_spectrum import spectrum_of
 from winkler.profiles.rough.spectrum import PowerSpectrum, SelfAffine, Spectrum
 from winkler.profiles.rough.topography import Topography
 
-__all__ = [
-    "Bounds",
-    "heights_of",
-    "image_of",
-    "map_panel",
-    "models_panel",
-    "spectrum_panel",
-    "spectrum_sheet",
-    "topography_sheet",
-]
-
 MOST_PIXELS = 512
 """Most pixels along a side; larger maps are averaged over blocks."""
 WAVE_NUMBERS_DRAWN = 300

@@ -23,15 +23,6 @@ from winkler.problems.surface_rolling.state import SurfaceRollingStartState, Sur
 from winkler.problems.surface_rolling.steady import SurfaceRollingSolution
 from winkler.profiles.rough.topography import Topography
 
-__all__ = [
-    "Zones",
-    "frame_of",
-    "surface_rolling_sheet",
-    "surface_rolling_start_sheet",
-    "surface_shear_sheet",
-    "traction_maps",
-]
-
 FRAME_RATIO = 0.08
 """Rim around the contact in a picture, over its size."""
 ARROWS_ACROSS = 15

@@ -15,8 +15,6 @@ from winkler.plot.rough.roughness import framed, image_of, map_panel
 from winkler.plot.series import common_scale, row_of, scale_of, series, with_unit
 from winkler.problems.surface_adhesion.adhesion import SurfaceAdhesionSolution
 
-__all__ = ["stuck_sheet"]
-
 FEWEST_POINTS = 2
 FAINTEST = 0.01
 """Stress over the greatest one below which nothing is drawn."""

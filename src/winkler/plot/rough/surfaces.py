@@ -23,8 +23,6 @@ from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.topography import Topography
 from winkler.values.vocabulary import Word
 
-__all__ = ["conduction_sheet", "contact_maps", "reduction_sheet", "surface_sheet"]
-
 FEWEST_LOADS = 2
 ELEMENTS_NAME, LINES_NAME, AREA_LABEL = "boundary elements", "lines of springs", "part of the map in contact [%]"
 """Loads from which there are curves."""

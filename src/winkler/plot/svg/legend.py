@@ -13,8 +13,6 @@ from winkler.plot import marks
 from winkler.plot.svg.letters import Rectangle, text_element, width_of
 from winkler.plot.svg.shapes import markers, outline, stroke, tint
 
-__all__ = ["ABOVE", "FREE", "Legend", "free_place", "legend_of", "named", "room_above"]
-
 SIZE = 8.5
 HANDLE, BESIDE, EDGE, ROW = 2.2 * SIZE, 0.8 * SIZE, 0.4 * SIZE, 1.5 * SIZE
 """Length of a sample, its distance from the name, the edge inside of the frame, and the height of a line [pt]."""

@@ -12,8 +12,6 @@ from xml.sax.saxutils import escape
 from winkler.values.errors import InvalidInput
 from winkler.values.readable import GREEK
 
-__all__ = ["FONT", "LINE_HEIGHT", "Rectangle", "Run", "run_width", "runs_of", "text_box", "text_element", "width_of"]
-
 FONT = "DejaVu Sans,Verdana,Bitstream Vera Sans,sans-serif"
 LINE_HEIGHT = 1.2
 """Distance of two lines over the size of the letters."""

@@ -16,19 +16,6 @@ from winkler.plot.marks import Map
 from winkler.plot.svg.scales import Side, levels_between
 from winkler.values.errors import InvalidInput
 
-__all__ = [
-    "Colours",
-    "band_colour",
-    "colours_of",
-    "contour_bands",
-    "contour_lines",
-    "corners_of",
-    "image_data",
-    "levels_of",
-    "map_pixels",
-    "stops_of",
-]
-
 PER_POINT = 2.0
 """Pixels in a point, where the cells of a map are no equal rectangles."""
 LEAST_BAND = 1e-9

@@ -12,20 +12,6 @@ from winkler.numerics.types import Array
 from winkler.plot.axis import PanelAxis
 from winkler.plot.series import ROUND_STEPS
 
-__all__ = [
-    "MOST_TICKS_ACROSS",
-    "Side",
-    "Ticks",
-    "broken",
-    "digits_of_decades",
-    "levels_between",
-    "narrow_parts",
-    "points_along",
-    "round_steps",
-    "side_of",
-    "ticks_of",
-]
-
 MOST_TICKS_ACROSS = 7
 """Parts of a horizontal axis; more of them with labels as long as -0.25 run into each other in a narrow panel."""
 MOST_TICKS = 9

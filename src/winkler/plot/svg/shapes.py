@@ -21,21 +21,6 @@ from winkler.plot.svg.pixels import (
 )
 from winkler.plot.svg.scales import Side, points_along
 
-__all__ = [
-    "HATCH",
-    "DrawnShape",
-    "Plane",
-    "Reach",
-    "bars_of",
-    "colour_text",
-    "markers",
-    "outline",
-    "reach_of",
-    "shapes_of",
-    "stroke",
-    "tint",
-]
-
 HATCH = (
     '<pattern id="hatch" width="4" height="4" patternUnits="userSpaceOnUse">'
     f'<path d="M0 4L4 0" stroke="{style.MUTED}" stroke-width=".6"/></pattern>'

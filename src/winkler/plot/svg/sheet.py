@@ -17,8 +17,6 @@ from winkler.plot.svg.pixels import band_colour, colours_of, levels_of
 from winkler.plot.svg.scales import Side, Ticks, broken, narrow_parts, round_steps, side_of, ticks_of
 from winkler.plot.svg.shapes import HATCH, DrawnShape, Plane, bars_of, reach_of, shapes_of, stroke
 
-__all__ = ["Drawing", "drawing_of"]
-
 POINTS = 72.0
 """Points in an inch."""
 TICK_SIZE, LABEL_SIZE, TITLE_SIZE, SHEET_TITLE_SIZE = 8.5, 9.0, 9.5, 10.5

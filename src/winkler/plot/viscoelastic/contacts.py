@@ -17,8 +17,6 @@ from winkler.problems.viscoelastic.impact import ViscoelasticImpactSolution
 from winkler.problems.viscoelastic.indentation import ViscoelasticSolution
 from winkler.problems.viscoelastic.states import ViscoelasticState
 
-__all__ = ["LEAST_FORCE_SHARE", "depth_and_radius", "impact_sheet", "path_sheet", "state_sheet"]
-
 LEAST_FORCE_SHARE = 0.1
 """The last contact under at least this part of the greatest force is drawn."""
 

@@ -18,8 +18,6 @@ from winkler.plot.panel import Area, Band, Line, Panel, PanelAxis, Sheet
 from winkler.plot.series import Series, common_scale, middle_scale
 from winkler.values.vocabulary import Word
 
-__all__ = ["relaxing_fit_sheet", "relaxing_loop"]
-
 TIME_FACTOR_BEYOND = 3.0
 """Factor by which the drawn times extend beyond the observed ones."""
 WIDEST_INTERVAL_RATIO = 1e3

@@ -15,8 +15,6 @@ from winkler.plot.series import Series, with_unit
 from winkler.problems.poroelastic.held import PoroelasticRelaxation
 from winkler.values.vocabulary import Word
 
-__all__ = ["holds_sheet"]
-
 POINTS = 121
 DEVIATIONS = 1.96
 """Half-width of an interval of 95 % in standard errors."""

@@ -16,8 +16,6 @@ from winkler.plot.series import Series, middle_scale
 from winkler.problems.master_curves.master_curve import MasterCurveSolution
 from winkler.values.vocabulary import Word
 
-__all__ = ["master_curve_sheet"]
-
 POINTS = 241
 ROOM = 4.0
 """Upper end of the moduli over the greatest one: there stands the legend."""

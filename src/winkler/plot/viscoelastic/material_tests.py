@@ -13,8 +13,6 @@ from winkler.plot.series import series, with_unit
 from winkler.problems.viscoelastic.material_tests import CreepTest, StepSolution
 from winkler.problems.viscoelastic.oscillation import HarmonicSolution
 
-__all__ = ["harmonic_sheet", "step_sheet"]
-
 POINTS = 121
 FACTOR_AROUND = 100.0
 """Range drawn around a single time or frequency, as a factor."""

@@ -14,8 +14,6 @@ from winkler.plot.panel import Sheet
 from winkler.plot.series import series, with_unit
 from winkler.problems.poroelastic.held import PoroelasticSolution
 
-__all__ = ["poroelastic_sheet"]
-
 POINTS = 121
 FACTOR_AROUND = 100.0
 """Range drawn around a single time, as a factor."""

@@ -21,8 +21,6 @@ from winkler.plot.panel import Sheet, note, titled
 from winkler.plot.series import Series, series, with_unit
 from winkler.values.vocabulary import Word
 
-__all__ = ["coated_sheet", "half_space_sheet", "poroelastic_sheet", "proportional_sheet", "solid_sheet"]
-
 POINTS = 161
 TIME_FACTOR_BEYOND = 30.0
 """Factor by which the drawn times extend beyond those of the solid."""

@@ -14,8 +14,6 @@ from winkler.problems.viscoelastic.states import ViscoelasticState
 from winkler.problems.viscoelastic.tangential import DraggedState
 from winkler.problems.viscoelastic.torsion import DraggedTwist
 
-__all__ = ["pressure_panel", "recovering_panel", "width_of"]
-
 RecoveringState = ViscoelasticState | DraggedState | DraggedTwist
 
 RADII_DRAWN = 1.35

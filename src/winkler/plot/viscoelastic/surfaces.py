@@ -32,8 +32,6 @@ from winkler.problems.viscoelastic.sliding import SlidingResistanceSolution
 from winkler.problems.viscoelastic.tangential import DraggedState
 from winkler.problems.viscoelastic.torsion import DraggedTwist
 
-__all__ = ["adhesion_sheet", "dragged_sheet", "dragged_state_sheet", "sliding_sheet"]
-
 POINTS = 61
 FACTOR_AROUND = 300.0
 """Range drawn around a single speed, as a factor."""

@@ -13,8 +13,6 @@ from winkler.plot.panel import Arrow, Line, Map, Panel, PanelAxis, Sheet, plane,
 from winkler.plot.series import series, with_unit
 from winkler.problems.wear.elliptic import EllipticWearSolution
 
-__all__ = ["elliptic_wear_sheet"]
-
 EXTENT = 1.35
 """Of the pictures over the semi-axes."""
 NEEDLE = 10.0

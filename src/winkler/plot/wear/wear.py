@@ -3,36 +3,26 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Sheet, among, titled
 from winkler.plot.series import Series, common_scale, series, series_of, with_unit
+from winkler.problems.line.indentation import LineIndentation
 from winkler.problems.wear.fretting import FrettingSolution
 from winkler.problems.wear.grids import wear_grid
 from winkler.problems.wear.limiting_profile import LimitingSolution
-from winkler.problems.wear.line_states import LineWearState
+from winkler.problems.wear.line_fretting import LineFrettingSolution
+from winkler.problems.wear.line_limiting_profile import LineLimitingSolution
+from winkler.problems.wear.line_sliding import LineSlidingSolution
+from winkler.problems.wear.line_states import LineFrettingState, LineWearState
 from winkler.problems.wear.sliding import SlidingSolution
 from winkler.problems.wear.states import FrettingState, WearState, WornState
-
-__all__ = [
-    "POINTS",
-    "PRESSURE_CEILING",
-    "RADII_DRAWN",
-    "fretting_sheet",
-    "limiting_sheet",
-    "moment_panels",
-    "one_state",
-    "over_elapsed",
-    "rows_panel",
-    "sliding_sheet",
-    "state_panels",
-    "wear_state_sheet",
-]
 
 MOST_STATES = 6
 """Most states drawn together."""
@@ -45,71 +35,122 @@ PRESSURE_CEILING = 3.0
 """Greatest drawn pressure over its mean; at the edge of a core or a punch it is infinite."""
 
 
-@without_extent(FrettingSolution)
-def fretting_sheet(item: FrettingSolution) -> Sheet:
-    """Return worn profiles and pressures after growing numbers of cycles, and radii, volume and loads over them."""
+@without_extent(FrettingSolution, LineFrettingSolution)
+def fretting_sheet(item: FrettingSolution | LineFrettingSolution) -> Sheet:
+    """Return worn profiles and pressures after growing numbers of cycles, and contact, volume and loads over them."""
     cycles = series_of(item, "cycles")
     names = [f"{count:,.0f}" if count >= 10 or count == 0 else f"{count:.2g}" for count in item.cycles]
-    steady = np.ptp(item.force) <= 1e-6 * np.max(item.force)
-    both = bool(np.any(item.second_volume > 0.0))
+    strip = isinstance(item, LineFrettingSolution)
+    radius, end = ("half_width", "_per_length") if strip else ("radius", "")
+    if isinstance(item, FrettingSolution):
+        steady = np.ptp(item.force) <= 1e-6 * np.max(item.force)
+        last, title = ("depth", "depth") if steady else ("force", "normal force")
+    else:
+        last, title = "dissipation_per_length", "loss of one cycle"
+    both = bool(np.any(getattr(item, f"second_volume{end}") > 0.0))
     volumes = ("first_volume", "second_volume") if both else ("worn_volume",)
-    below = titled(
-        (
-            over_elapsed(cycles, [series_of(item, "radius"), series_of(item, "stick_radius")], "radius"),
-            over_elapsed(cycles, [series_of(item, name) for name in volumes], "worn volume" if both else ""),
-            over_elapsed(cycles, [series_of(item, "depth" if steady else "force")]),
-        ),
-        "contact and core",
-        "worn volume",
-        "depth" if steady else "normal force",
+    radii = [series_of(item, name) for name in (radius, f"stick_{radius}")]
+    below = (
+        over_elapsed(cycles, radii, "half-width" if strip else "radius"),
+        over_elapsed(cycles, [series_of(item, f"{name}{end}") for name in volumes], "worn volume" if both else ""),
+        over_elapsed(cycles, [series_of(item, last)]),
     )
-    return Sheet((*state_panels(item.states, names, "cycles"), *below), 3, width=3.9)
+    above = state_panels(item.states, names, "cycles")
+    return Sheet((*above, *titled(below, "contact and core", "worn volume", title)), 3, width=3.9)
 
 
-@without_extent(SlidingSolution)
-def sliding_sheet(item: SlidingSolution) -> Sheet:
+@without_extent(SlidingSolution, LineSlidingSolution)
+def sliding_sheet(item: SlidingSolution | LineSlidingSolution) -> Sheet:
     """Return worn profiles and pressures after growing distances, and contact, volume and pressure over them."""
     distance = series_of(item, "distance")
     above = state_panels(item.states, [with_unit(far, "m", 3) for far in item.distance.tolist()], "distance")
-    below = (over_elapsed(distance, [series_of(item, name)]) for name in ("radius", "worn_volume", "mean_pressure"))
+    strip = isinstance(item, LineSlidingSolution)
+    names = ("half_width", "worn_volume_per_length") if strip else ("radius", "worn_volume")
+    below = (over_elapsed(distance, [series_of(item, name)]) for name in (*names, "mean_pressure"))
     return Sheet((*above, *titled(below, "contact", "worn volume", "mean pressure")), 3, width=3.9)
 
 
-@without_extent(WearState, FrettingState)
-def wear_state_sheet(item: WearState) -> Sheet:
+@without_extent(WearState, FrettingState, LineWearState, LineFrettingState)
+def wear_state_sheet(item: WearState | LineWearState) -> Sheet:
     """Return the worn profile and the pressure of one state."""
-    return one_state(item, item.elapsed, isinstance(item, FrettingState))
+    return one_state(item, item.elapsed, isinstance(item, FrettingState | LineFrettingState))
 
 
 @without_extent(LimitingSolution)
 def limiting_sheet(item: LimitingSolution) -> Sheet:
     """Return the limiting profile, the worn depth, and the pressure in the limit and before wear."""
-    bed, c, end = item.problem.bed, item.stick_radius, item.radius
-    reach = min(RADII_DRAWN * end, bed.reach)
-    ring = c + (end - c) * np.linspace(0.0, 1.0, POINTS) ** 2
-    r = np.unique(np.concatenate([np.linspace(0.0, reach, POINTS), ring]))
-    before, worn = bed.height(r), item.worn(r)
+    bed, pressed = item.problem.bed, item.problem.contact
+    end = min(RADII_DRAWN * item.radius, bed.reach)
+
+    def pressure(r: Array) -> Array:
+        return np.asarray(bed.medium.pressure(pressed.pressed, r))
+
+    before = BeforeWear(bed.height, float(pressed.radius), pressure, float(pressed.mean_pressure))
+    return limit_sheet(item, before, item.stick_radius, item.radius, end, f"$V$ = {with_unit(item.worn_volume, 'm^3')}")
+
+
+@without_extent(LineLimitingSolution)
+def line_limiting_sheet(item: LineLimitingSolution) -> Sheet:
+    """Return the same of a strip."""
+    bed = item.problem.bed
+    pressed = LineIndentation(bed, item.problem.normal).solve()
+    before = BeforeWear(bed.profile.height, float(pressed.half_width), pressed.pressure, float(pressed.mean_pressure))
+    lost = f"$V'$ = {with_unit(item.worn_volume_per_length, 'm^2')}"
+    end = min(RADII_DRAWN * item.half_width, bed.reach, bed.rim)
+    return limit_sheet(item, before, item.stick_half_width, item.half_width, end, lost, LineWearState)
+
+
+class BeforeWear(NamedTuple):
+    """The contact before wear: its shape, radius or half-width [m], pressure, and mean pressure [Pa]."""
+
+    height: Callable[[Array], Array]
+    radius: float
+    pressure: Callable[[Array], Array]
+    mean_pressure: float
+
+
+def limit_sheet(
+    item: LimitingSolution | LineLimitingSolution,
+    unworn: BeforeWear,
+    core: float,
+    radius: float,
+    end: float,
+    lost: str,
+    kind: type = WearState,
+) -> Sheet:
+    """Return the limiting profile, the worn depth, and the pressure in the limit and before wear.
+
+    Parameters
+    ----------
+    item
+        The limit.
+    unworn : BeforeWear
+    core, radius, end : float
+        What sticks, the contact, and how far is drawn [m].
+    lost : str
+        The worn volume in words.
+    kind : type
+        Of a state of wear, whose words name the axes.
+    """
+    ring = core + (radius - core) * np.linspace(0.0, 1.0, POINTS) ** 2
+    r = np.unique(np.concatenate([np.linspace(0.0, end, POINTS), ring]))
+    before, worn = np.asarray(unworn.height(r), dtype=float), item.worn(r)
     share = np.sin(0.5 * np.pi * np.linspace(0.0, 1.0, POINTS))[:-1]
-    pressed = item.problem.contact
-    radius = float(pressed.radius)
     first: dict[str, Any] = {"name": "before wear", "colour": style.MUTED, "dash": style.DASHES[1]}
     last: dict[str, Any] = {"name": "in the end"}
-    start, stop = bed.medium.pressure(pressed.pressed, radius * share), item.pressure(c * share)
+    pressures = (
+        Line(unworn.radius * share, unworn.pressure(unworn.radius * share), **first),
+        Line(core * share, item.pressure(core * share), **last),
+    )
     panels = (
-        rows_panel("height", [Line(r, before, **first), Line(r, before + worn, **last)]),
-        rows_panel("worn", [Line(r, worn, style.RED, name="worn off")]),
-        rows_panel(
-            "pressure",
-            [Line(radius * share, start, **first), Line(c * share, stop, **last)],
-            most=PRESSURE_CEILING * float(pressed.mean_pressure),
-        ),
+        rows_panel("height", [Line(r, before, **first), Line(r, before + worn, **last)], kind),
+        rows_panel("worn", [Line(r, worn, style.RED, name="worn off")], kind),
+        rows_panel("pressure", list(pressures), kind, most=PRESSURE_CEILING * unworn.mean_pressure),
     )
-    core = Rule(c, upright=True, width=0.9, dash=style.DOTTED, name="core")
-    title = (
-        f"$c$ = {with_unit(c, 'm')}   $a_\\infty$ = {with_unit(end, 'm')}   $V$ = {with_unit(item.worn_volume, 'm^3')}"
-    )
-    chosen_states = titled((panel.plus(core, legend="best") for panel in panels), "profile", "worn depth", "pressure")
-    return Sheet(chosen_states, width=3.9, title=title)
+    rim = Rule(core, upright=True, width=0.9, dash=style.DOTTED, name="core")
+    title = f"$c$ = {with_unit(core, 'm')}   $a_\\infty$ = {with_unit(radius, 'm')}   {lost}"
+    drawn = titled((panel.plus(rim, legend="best") for panel in panels), "profile", "worn depth", "pressure")
+    return Sheet(drawn, width=3.9, title=title)
 
 
 def one_state(item: WornState, elapsed: float, by_cycles: bool) -> Sheet:

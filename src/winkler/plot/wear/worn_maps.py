@@ -16,8 +16,6 @@ from winkler.problems.surface_wear.states import SurfaceWearState
 from winkler.problems.surface_wear.wear import SurfaceWearSolution
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["surface_wear_sheet"]
-
 FEWEST_STATES = 2
 DECADES = 100.0
 """Greatest over smallest distance from which their axis is logarithmic."""

@@ -20,7 +20,8 @@ from winkler.loading.loads import Depth, Force
 from winkler.media.mapped import MappedMedium, layers_of
 from winkler.media.offers import PowerOfDepth, offers
 from winkler.numerics.pixels.contact_area import contact_area
-from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, press
+from winkler.numerics.surfaces.pressed_box import ByDepth, ByLoad
+from winkler.numerics.surfaces.pressed_grid import press
 from winkler.numerics.surfaces.punched_grid import punch
 from winkler.numerics.types import Array, ArrayLike
 from winkler.values.errors import NotConverged, OutsideValidity

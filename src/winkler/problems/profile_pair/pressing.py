@@ -9,7 +9,8 @@ import numpy as np
 
 from winkler.media.mapped import MappedMedium, layers_of
 from winkler.media.offers import PowerOfDepth, offers
-from winkler.numerics.surfaces.pressed_grid import ByDepth, press
+from winkler.numerics.surfaces.pressed_box import ByDepth
+from winkler.numerics.surfaces.pressed_grid import press
 from winkler.numerics.types import Array
 from winkler.problems.profile_pair.gap_map import GapMap, windows
 from winkler.problems.profile_pair.placing import PlacedBody, Placing

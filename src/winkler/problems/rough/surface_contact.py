@@ -29,7 +29,8 @@ from winkler.loading.path import numbers_of
 from winkler.media.mapped import MappedMedium, layers_of
 from winkler.numerics.arrays import given, library_of, to_numpy
 from winkler.numerics.pixels.contact_area import contact_area
-from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, press
+from winkler.numerics.surfaces.pressed_box import ByDepth, ByLoad
+from winkler.numerics.surfaces.pressed_grid import press
 from winkler.numerics.surfaces.punched_grid import punch
 from winkler.numerics.types import Array, PerLoad, Q, Quantity, shaped
 from winkler.problems.assumptions.declared import MAPPED

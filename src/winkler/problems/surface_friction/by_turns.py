@@ -10,7 +10,8 @@ import numpy as np
 
 from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.plates.pressed_sums import overlap_and_work
-from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface, press
+from winkler.numerics.surfaces.pressed_box import ByDepth, ByLoad
+from winkler.numerics.surfaces.pressed_grid import PressedSurface, press
 from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged

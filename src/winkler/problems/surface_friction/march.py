@@ -21,8 +21,8 @@ from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.numerics.pixels.contact_area import contact_area
 from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
-from winkler.numerics.surfaces.pressed_box import box_around
-from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface
+from winkler.numerics.surfaces.pressed_box import ByDepth, ByLoad, box_around
+from winkler.numerics.surfaces.pressed_grid import PressedSurface
 from winkler.numerics.surfaces.sheared_surface import RigidStep, ShearedSurface, shear
 from winkler.numerics.surfaces.surface_grid import SurfaceGrid
 from winkler.numerics.surfaces.traction_grid import TractionGrid

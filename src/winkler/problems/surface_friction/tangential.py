@@ -20,7 +20,7 @@ from winkler.media.mapped import MappedMedium
 from winkler.media.relaxing.by_waves import RelaxingByWaves
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium, relaxes
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
-from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad
+from winkler.numerics.surfaces.pressed_box import ByDepth, ByLoad
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import BALANCED, MAPPED
 from winkler.problems.last_cycle import Looped, PathLoop

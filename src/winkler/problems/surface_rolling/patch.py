@@ -10,8 +10,8 @@ import numpy as np
 from winkler.loading.loads import Depth, Force
 from winkler.loading.path import numbers_of
 from winkler.media.mapped import MappedMedium, layers_of
-from winkler.numerics.surfaces.pressed_box import box_around
-from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface, press
+from winkler.numerics.surfaces.pressed_box import ByDepth, ByLoad, box_around
+from winkler.numerics.surfaces.pressed_grid import PressedSurface, press
 from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
 from winkler.problems.rough.compliance import compliance_of

@@ -26,7 +26,8 @@ from winkler.loading.path import numbers_of
 from winkler.media.mapped import layers_of
 from winkler.media.offers import GradedInDepth, LayerStack, offers
 from winkler.numerics.pixels.contact_area import contact_area
-from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface
+from winkler.numerics.surfaces.pressed_box import ByDepth, ByLoad
+from winkler.numerics.surfaces.pressed_grid import PressedSurface
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.normal.unknown_yield import unknown_yield

@@ -16,7 +16,8 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.numerics.pixels.layered import SurfaceBelow
-from winkler.numerics.surfaces.pressed_grid import ByDepth, ByLoad, PressedSurface, press
+from winkler.numerics.surfaces.pressed_box import ByDepth, ByLoad
+from winkler.numerics.surfaces.pressed_grid import PressedSurface, press
 from winkler.numerics.types import Array
 
 __all__ = ["WearStep", "WornMap"]

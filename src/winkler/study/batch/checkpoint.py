@@ -17,8 +17,6 @@ from winkler.study.language.canonical import digest_of
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value
 
-__all__ = ["CheckpointStore", "refuse_other_software"]
-
 RESUMABLE_PROBLEMS = (
     "winkler.problems.surface_wear.wear:SurfaceWear",
     "winkler.problems.wear.fretting:FrettingWear",

@@ -19,8 +19,6 @@ from winkler.values.checks.number_checks import Advice
 from winkler.values.errors import InvalidInput, NotConverged
 from winkler.values.value import value
 
-__all__ = ["Cluster", "Connection", "connected"]
-
 SCHEDULER_TIMEOUT = 10.0
 """Time for which a scheduler is waited for [s]."""
 POLL_INTERVAL = 1.0

@@ -11,8 +11,6 @@ from typing import Any, NamedTuple
 
 from winkler.values.vocabulary import Word, word
 
-__all__ = ["EVENTS", "Event", "events_of"]
-
 EVENTS = {
     "limit": "Where the contact loses its hold",
     "branches": "Stable branches",

@@ -15,8 +15,6 @@ from winkler.fields.restoration import restore, restore_body
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput, suggest
 
-__all__ = ["number_at"]
-
 
 def number_at(solution: Any, quantity: str, place: dict[str, float]) -> float:
     """Return one number of a field, or of a function of the springs.

@@ -29,18 +29,6 @@ from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity, W
 from winkler.values.value import value
 from winkler.values.vocabulary import Word
 
-__all__ = [
-    "CONTACT_POINT",
-    "NOTHING",
-    "Further",
-    "common_calibration",
-    "compared",
-    "contact_correlation",
-    "further_columns",
-    "further_of",
-    "joint_of_study",
-]
-
 CONTACT_POINT = "contact_point"
 
 

@@ -32,8 +32,6 @@ from winkler.values.validity import Note, Standing, topic_of, worst_of_each
 from winkler.values.value import value
 from winkler.values.vocabulary import Word
 
-__all__ = ["CONFIDENCE", "FitOutcome", "Fitted", "Refused", "interval_of"]
-
 CONFIDENCE = 0.95
 MOST_NAMES = 8
 """Curves that a note on many curves names; fit.csv holds all."""

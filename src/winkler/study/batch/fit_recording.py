@@ -32,8 +32,6 @@ from winkler.study.batch.recording import notes_of, plain_notes
 from winkler.study.language.fit_study import Alternative, FitStudy
 from winkler.values.errors import InvalidInput, Mistake
 
-__all__ = ["Piece", "Results", "fingerprint", "path_from_study", "recalled_fits", "results_of", "written_fits"]
-
 Piece = str | PlacedCurve | UnreadCurve
 """A file of many, or a curve of one file."""
 Results = tuple[Fitted | Refused, ...]

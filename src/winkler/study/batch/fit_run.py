@@ -47,8 +47,6 @@ from winkler.study.language.segmenting import segmented, with_stated_events
 from winkler.values.errors import InvalidInput, Mistake, WinklerError
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["FitWatch", "fit_curves", "fit_study", "gather_fits", "measured_curve", "pieces"]
-
 NO_RESULTS: Mapping[int, Results] = MappingProxyType({})
 FitWatch = Callable[[Iterable[FitState | AnyFit]], Iterable[FitState | AnyFit]]
 """Passes on the states of a fit, one after the other, and last the result."""

@@ -32,7 +32,6 @@ from winkler.values.errors import InvalidInput
 if TYPE_CHECKING:
     from winkler.study.language.fit_study import FitStudy
 
-__all__ = ["Journal", "is_final"]
 
 ENDING = ".journal"
 

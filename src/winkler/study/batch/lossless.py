@@ -14,8 +14,6 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["packed", "unpacked"]
-
 LEAST_COMPRESSED_BYTES = 4096
 """Arrays with more bytes are compressed."""
 WORD = np.dtype(np.int64)

@@ -11,9 +11,6 @@ from winkler.problems.answer import March
 from winkler.study.batch.checkpoint import CheckpointStore
 from winkler.values.errors import WinklerError
 
-__all__ = ["NO_CHECKPOINTS", "MarchResult", "Watch", "solve_march", "unwatched"]
-
-
 Watch = Callable[[Iterable[Any], int | None], Iterable[Any]]
 """Passes states on, one after the other; its second argument is their number, if known."""
 

@@ -37,7 +37,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from winkler.numerics.types import Array, Quantity
-from winkler.study.batch.points import ComparedNumber, Failed, Point, Recalled, Solved, SolvedPoint
+from winkler.study.batch.points import ComparedNumber, Failed, Point, SolvedPoint
 from winkler.study.language import keys
 from winkler.study.language.designs import Sensitivity
 from winkler.study.language.study import Study
@@ -48,20 +48,6 @@ from winkler.values.vocabulary import Word, word
 
 if TYPE_CHECKING:
     from winkler.study.batch.sensitivity import Indices
-
-__all__ = [
-    "ComparedNumber",
-    "Failed",
-    "Outcome",
-    "Point",
-    "Provenance",
-    "Recalled",
-    "ResultColumn",
-    "Solved",
-    "SolvedPoint",
-    "answers_of",
-    "number_names",
-]
 
 
 def answers_of(solution: Any) -> dict[str, Quantity]:

@@ -16,9 +16,6 @@ from winkler.study.language.study import Expectation
 from winkler.values.validity import Note
 from winkler.values.value import value
 
-__all__ = ["ComparedNumber", "Failed", "Point", "Recalled", "Solved", "SolvedPoint", "sides_of_map"]
-
-
 IN_THE_PLANE = (
     ("shear_force_x", "shear_force_y"),
     ("longitudinal_force", "lateral_force"),

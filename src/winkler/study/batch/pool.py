@@ -17,8 +17,6 @@ from winkler.values.checks.number_checks import Number
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value
 
-__all__ = ["Machine", "Workers", "checked_workers", "completed"]
-
 T = TypeVar("T")
 R = TypeVar("R")
 

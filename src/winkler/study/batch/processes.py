@@ -16,8 +16,6 @@ from typing import Any
 from winkler.io.processes.stopping import deferred_signals
 from winkler.values.errors import InvalidInput, NotConverged
 
-__all__ = ["THREAD_VARIABLES", "guarded", "processes", "ready"]
-
 THREAD_VARIABLES = (
     "OMP_NUM_THREADS",
     "OPENBLAS_NUM_THREADS",

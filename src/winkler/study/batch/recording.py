@@ -18,8 +18,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.vocabulary import Word
 
-__all__ = ["json_line", "notes_of", "plain_notes", "recalled", "without_solution"]
-
 
 def without_solution(point: Solved, expect: tuple[Expectation, ...], shape: tuple[int, ...]) -> Recalled:
     """Return a solved point without its solution, but with all that tables and archives need of it.

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, TypeVar
 
 from winkler.io.software import software
 from winkler.study.batch.journal import Journal
-from winkler.study.batch.outcome import ComparedNumber, Failed, Outcome, Point, Provenance, Solved
+from winkler.study.batch.outcome import Outcome, Provenance
+from winkler.study.batch.points import ComparedNumber, Failed, Point, Solved
 from winkler.study.batch.pool import Workers
 from winkler.study.batch.sweep import solve_points
 from winkler.study.batch.verdicts import compared
@@ -22,7 +23,6 @@ from winkler.values.errors import InvalidInput, Mistake, NotConverged, OutsideVa
 if TYPE_CHECKING:
     from winkler.study.language.fit_study import FitStudy
 
-__all__ = ["ERRORS", "first_failure", "gather", "named", "provenance", "raised", "resumed", "run"]
 
 Result = TypeVar("Result")
 

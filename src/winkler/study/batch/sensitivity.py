@@ -18,8 +18,6 @@ from winkler.study.language.study import Study
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value
 
-__all__ = ["INDEX_MEANINGS", "SENSITIVITY", "Indices", "rows", "sensitivity", "variables"]
-
 SENSITIVITY = "sensitivity.csv"
 
 INDEX_MEANINGS = {

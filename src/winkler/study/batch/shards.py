@@ -19,8 +19,6 @@ from winkler.study.language.study import Study
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value
 
-__all__ = ["Shard", "put_together", "shards_beside"]
-
 MOST_SHARDS = 100_000
 WRITTEN = re.compile(r"\s*(\d{1,6})\s*/\s*(\d{1,6})\s*", re.ASCII)
 

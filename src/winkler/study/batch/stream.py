@@ -21,8 +21,6 @@ from winkler.study.batch.journal import Journal
 from winkler.study.batch.pool import Machine, Workers, checked_workers, completed
 from winkler.values.errors import NotConverged
 
-__all__ = ["results"]
-
 T = TypeVar("T")
 R = TypeVar("R")
 

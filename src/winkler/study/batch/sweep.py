@@ -17,7 +17,8 @@ from winkler.problems.answer import is_march, is_restorable
 from winkler.study.batch.checkpoint import CheckpointStore
 from winkler.study.batch.journal import Journal, is_final
 from winkler.study.batch.marching import NO_CHECKPOINTS, MarchResult, Watch, solve_march, unwatched
-from winkler.study.batch.outcome import Failed, Point, Recalled, Solved, answers_of
+from winkler.study.batch.outcome import answers_of
+from winkler.study.batch.points import Failed, Point, Recalled, Solved
 from winkler.study.batch.pool import Workers
 from winkler.study.batch.recording import json_line, recalled, without_solution
 from winkler.study.batch.stream import results
@@ -28,7 +29,6 @@ from winkler.values.errors import InvalidInput, Mistake, NotConverged, WinklerEr
 if TYPE_CHECKING:
     from winkler.study.batch.shards import Shard
 
-__all__ = ["solve_points", "solved"]
 
 MOST_KEPT_SOLUTIONS = 256
 """Points of a sweep up to which solutions are kept; of longer ones only numbers."""

@@ -16,8 +16,6 @@ from winkler.study.language.study import Fields, Study
 from winkler.values.errors import WinklerError
 from winkler.values.value import value
 
-__all__ = ["PointTask", "PointTasks", "tasks"]
-
 MOST_CHECKED = 2048
 """Number of points, evenly spread, that are checked before the first is solved, so that mistakes appear at once."""
 

@@ -9,11 +9,10 @@ from typing import Any
 import numpy as np
 
 from winkler.numerics.types import Quantity
-from winkler.study.batch.outcome import ComparedNumber, Solved, answers_of
+from winkler.study.batch.outcome import answers_of
+from winkler.study.batch.points import ComparedNumber, Solved
 from winkler.study.language.study import Expectation
 from winkler.values.errors import InvalidInput, suggest
-
-__all__ = ["compared", "deviation"]
 
 
 def compared(point: Solved, expectation: Expectation, shape: tuple[int, ...] = ()) -> ComparedNumber:

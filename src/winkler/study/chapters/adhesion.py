@@ -8,8 +8,6 @@ from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedCo
 from winkler.study.chapters.kind import is_a, kind
 from winkler.study.chapters.normal import bed_formulas
 
-__all__ = ["ADHESION", "adhesion_formulas"]
-
 APPROACH_AND_RETRACTION = [
     {"from": "-5 nm", "to": "5 nm", "count": 41},
     {"from": "5 nm", "to": "-5 nm", "count": 41},

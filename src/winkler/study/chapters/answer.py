@@ -14,19 +14,6 @@ from typing import Any, NamedTuple
 
 from winkler.study.chapters.kind import Kind, kind
 
-__all__ = [
-    "ALONG",
-    "Answer",
-    "Caption",
-    "Chapter",
-    "Equation",
-    "Formulas",
-    "Kinds",
-    "PicturedContact",
-    "answer",
-    "followed_by",
-]
-
 
 class Equation(NamedTuple):
     """A formula and its sentence.

@@ -5,8 +5,6 @@ from __future__ import annotations
 from winkler.study.chapters.answer import Kinds
 from winkler.study.chapters.kind import kind
 
-__all__ = ["BODIES"]
-
 WAVY_BALL = {
     "kind": "sum",
     "parts": [

@@ -9,8 +9,6 @@ from winkler.study.chapters.kind import is_a, kind
 from winkler.study.chapters.lines.line import LOAD, LOAD_PROFILE, ROLLER
 from winkler.study.chapters.normal import HOMOGENEOUS, normal_formulas
 
-__all__ = ["CONDUCTION", "STEEL_PAIR"]
-
 SILVER = {"kind": "electrical_conductor", "resistivity": "15.9 nohm m"}
 STEEL = {"kind": "thermal_conductor", "conductivity": "45 W/(m K)", "diffusivity": "12 mm^2/s"}
 COPPER = {"kind": "electrical_conductor", "resistivity": "16.8 nohm m"}
@@ -150,8 +148,6 @@ CONDUCTION = Chapter(
             "thermal_interface": kind(
                 "winkler.laws.film:ThermalInterface",
                 en="kapitza boundary resistance thermal film thermal paste layer",
-                de="",
-                fr="",
                 interface_conductance="1e7 W/(m^2 K)",
             ),
         },
@@ -173,8 +169,6 @@ CONDUCTION = Chapter(
                 "winkler.laws.current:WiedemannFranz",
                 "kohlrausch_1900",
                 en="wiedemann-franz lorenz number",
-                de="",
-                fr="",
                 lorenz_number="2.44e-8 V^2/K^2",
             ),
         },

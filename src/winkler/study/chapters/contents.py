@@ -37,8 +37,6 @@ from winkler.study.chapters.viscoelastic import VISCOELASTIC
 from winkler.study.chapters.viscoelastic_surfaces import VISCOELASTIC_SURFACES
 from winkler.study.chapters.wear import WEAR
 
-__all__ = ["CHAPTERS", "answer_of", "answers", "formulas_of"]
-
 CHAPTERS: tuple[Chapter, ...] = (
     NORMAL,
     LINE,

@@ -9,8 +9,6 @@ from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedCo
 from winkler.study.chapters.kind import kind
 from winkler.study.chapters.normal import normal_formulas
 
-__all__ = ["FRICTION", "TANGENTIAL_FORCE", "TANGENTIAL_SPRINGS", "tangential_formulas"]
-
 NORMAL_START = {"kind": "start", "normal": {"kind": "force", "force": "100 N"}}
 OSCILLATION = [
     NORMAL_START,

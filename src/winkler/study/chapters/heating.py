@@ -10,8 +10,6 @@ from winkler.study.chapters.kind import is_a, kind
 from winkler.study.chapters.lines.line import LOAD, LOAD_PROFILE, PRESSURE, ROLLER
 from winkler.study.chapters.normal import ELLIPSE, MODULUS, normal_formulas
 
-__all__ = ["HEATING"]
-
 STEEL = {"kind": "thermal_conductor", "conductivity": "45 W/(m K)", "diffusivity": "12 mm^2/s"}
 STEELS: dict[str, Any] = {"kind": "heat_conductors", "first": STEEL, "second": STEEL}
 ELLIPTIC = "winkler.problems.normal.elliptic:EllipticIndentation"

@@ -8,8 +8,6 @@ from winkler.study.chapters.adhesion import adhesion_formulas
 from winkler.study.chapters.answer import Caption, Chapter, Equation, answer, followed_by
 from winkler.study.chapters.friction import tangential_formulas
 
-__all__ = ["EQUATION_OF_MOTION", "IMPACT"]
-
 EQUATION_OF_MOTION = Equation("The force stops the body and accelerates it back", r"m\,\ddot{d} = -F_N")
 TANGENTIAL_MOTION = Equation(
     "and along the surface it slows the body and turns it",

@@ -12,8 +12,6 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-__all__ = ["Kind", "Words", "is_a", "kind", "path_of"]
-
 
 class Words(NamedTuple):
     """What people call a kind, and what they ask that it answers: words of the trade, read by the search.

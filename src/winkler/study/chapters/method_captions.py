@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-__all__ = ["CAPTIONS", "captions_of"]
-
 CAPTIONS = {
     "shape": (
         "The body in three dimensions",

@@ -9,21 +9,6 @@ from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.kind import is_a, kind
 
-__all__ = [
-    "BACK",
-    "HOMOGENEOUS",
-    "NORMAL",
-    "ONSET",
-    "PLANE",
-    "PLANE_FOUNDATION",
-    "PRESSURE",
-    "STRONG",
-    "SURFACE",
-    "bed_formulas",
-    "normal_formulas",
-    "plane_profile_formula",
-]
-
 STRONG = {"first": {"kind": "elastic", "young": "210 GPa", "poisson": 0.3, "strength": "700 MPa"}}
 OVAL = [{"kind": "paraboloid", "curvature_radius": radius} for radius in ("10 mm", "12 mm", "10 mm", "12 mm")]
 

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, answer
 
-__all__ = ["PARTICLES"]
-
 HALF_ELLIPSE = Equation(
     "Springs of the stiffness E_c per length stand under half an ellipse (after Zunker and Kamrin)",
     r"g(x) = \frac{A}{2}\left(1-\sqrt{1-\frac{x^2}{b^2}}\right), \quad E_c = \frac{E}{1-\nu^2}",

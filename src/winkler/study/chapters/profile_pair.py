@@ -6,8 +6,6 @@ from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedCo
 from winkler.study.chapters.kind import kind
 from winkler.study.chapters.surface_rolling import COULOMB, PASSED
 
-__all__ = ["PROFILE_PAIR"]
-
 POINTS = {
     "y": ["-20 mm", "-15 mm", "-10 mm", "-5 mm", "0 mm", "5 mm", "10 mm", "15 mm", "20 mm"],
     "z": ["-0.6674 mm", "-0.3752 mm", "-0.1667 mm", "-0.0417 mm", "0 mm", "-0.0417 mm", "-0.1667 mm", "-0.3752 mm",

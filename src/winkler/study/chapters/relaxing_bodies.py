@@ -5,8 +5,6 @@ from __future__ import annotations
 from winkler.study.chapters.answer import Kinds
 from winkler.study.chapters.kind import kind
 
-__all__ = ["RELAXING_BODIES"]
-
 RUBBER = {"kind": "standard_solid", "relaxed_shear": "1 MPa", "shear": "3 MPa", "relaxation_time": "0.1 s"}
 FILM = {"kind": "elastic", "young": "2.98 MPa", "poisson": 0.49}
 
@@ -24,16 +22,12 @@ RELAXING_BODIES: Kinds = {
         "maxwell": kind(
             "winkler.materials.spring_and_dashpot:Maxwell",
             en="maxwell material spring and dashpot in series",
-            de="",
-            fr="",
             shear="3 MPa",
             relaxation_time="0.1 s",
         ),
         "kelvin_voigt": kind(
             "winkler.materials.spring_and_dashpot:KelvinVoigt",
             en="kelvin-voigt spring and dashpot in parallel",
-            de="",
-            fr="",
             shear="1 MPa",
             viscosity="0.1 MPa s",
         ),
@@ -117,8 +111,6 @@ RELAXING_BODIES: Kinds = {
             "winkler.materials.temperature:WilliamsLandelFerry",
             "williams_landel_ferry_1955",
             en="wlf shift factor glass transition",
-            de="",
-            fr="",
             problem="viscoelastic_indentation",
             reference_temperature="25 degC",
             first_constant=8.86,

@@ -8,8 +8,6 @@ from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedCo
 from winkler.study.chapters.kind import is_a, kind
 from winkler.study.chapters.normal import plane_profile_formula
 
-__all__ = ["ROLLING"]
-
 PRESSED = {"kind": "force", "force": "100 N"}
 CREEPING = {"kind": "creepages", "longitudinal": 0.001}
 CURVE = {"kind": "creepages", "longitudinal": {"from": 0.0, "to": 0.006, "count": 25}}

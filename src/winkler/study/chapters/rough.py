@@ -7,8 +7,6 @@ from typing import Any
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.kind import kind
 
-__all__ = ["ROUGH"]
-
 BLASTED = {
     "kind": "self_affine",
     "hurst": 0.8,
@@ -135,7 +133,6 @@ ROUGH = Chapter(
                 "winkler.laws.attraction:LennardJones",
                 "greenwood_1997",
                 en="lennard-jones potential surface potential attraction",
-                de="",
                 fr="potentiel",
                 problem="surface_adhesion",
                 work="50 mJ/m^2",

@@ -5,8 +5,6 @@ from __future__ import annotations
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.kind import kind
 
-__all__ = ["SUBSURFACE"]
-
 HILL = [
     ["0 MPa", "100 MPa", "150 MPa", "100 MPa", "0 MPa"],
     ["100 MPa", "250 MPa", "300 MPa", "250 MPa", "100 MPa"],

@@ -9,8 +9,6 @@ from winkler.study.chapters.friction import NORMAL_START
 from winkler.study.chapters.kind import kind
 from winkler.study.chapters.rough import DISC, ELEMENTS, SAME_AREA, STAMP
 
-__all__ = ["SURFACE_FRICTION"]
-
 TO_AND_FRO = [
     NORMAL_START,
     {"kind": "oscillate", "lateral": {"kind": "shift", "shift": "1 um"}, "cycles": 1.25, "count": 12},

@@ -11,8 +11,6 @@ from winkler.study.chapters.rough import ELEMENTS
 from winkler.study.chapters.surface_friction import CERRUTI
 from winkler.study.chapters.surface_rolling import COULOMB, PASSED, WHEEL
 
-__all__ = ["SURFACE_HEATING"]
-
 PULLS = {
     "kind": "surface_rolling",
     "topography": {**WHEEL, "shape": [42, 35]},

@@ -7,8 +7,6 @@ from winkler.study.chapters.kind import kind
 from winkler.study.chapters.rough import ELEMENTS
 from winkler.study.chapters.surface_friction import CERRUTI, SHEAR_FORCE
 
-__all__ = ["SURFACE_ROLLING"]
-
 WHEEL = {
     "kind": "sampled_profile",
     "profile": {"kind": "curved_bodies", "longitudinal_curvature_radius": "20 mm", "lateral_curvature_radius": "10 mm"},

@@ -11,8 +11,6 @@ from winkler.numerics.types import Array
 from winkler.profiles.rough.topography import Topography
 from winkler.values.errors import InvalidInput, suggest
 
-__all__ = ["read_surface"]
-
 TREND_DEGREES = {"mean": 0, "plane": 1, "paraboloid": 2}
 UNSTATED_LENGTHS = np.full(2, np.nan)
 

@@ -10,18 +10,6 @@ from winkler.study.chapters.impact import EQUATION_OF_MOTION
 from winkler.study.chapters.kind import is_a
 from winkler.study.chapters.normal import BACK, PLANE, PLANE_FOUNDATION
 
-__all__ = [
-    "BED",
-    "DETACHMENT",
-    "FORCE",
-    "IN_AND_OUT",
-    "PLANE_KEPT",
-    "SPRINGS",
-    "VISCOELASTIC",
-    "pair_formulas",
-    "relaxing_formulas",
-]
-
 BED = {"kind": "foundation", "medium": {"kind": "viscoelastic_half_space"}}
 DECADES = {"from": "1 ms", "to": "10 s", "count": 33, "spacing": "log"}
 IN_AND_OUT = [

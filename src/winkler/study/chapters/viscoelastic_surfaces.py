@@ -16,8 +16,6 @@ from winkler.study.chapters.viscoelastic import (
     relaxing_formulas,
 )
 
-__all__ = ["VISCOELASTIC_SURFACES"]
-
 ALONG = Equation(
     "Along the surface the load of every spring is a hereditary integral of its shift; its modulus relaxes as that "
     "across the surface does, since Poisson's ratios are constant",

@@ -6,8 +6,6 @@ from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedCo
 from winkler.study.chapters.kind import kind
 from winkler.study.chapters.normal import ELLIPSE, normal_formulas
 
-__all__ = ["WEAR"]
-
 STEEL = {"kind": "archard", "rate": "1e-5 mm^3/(N m)"}
 CYCLE_COUNTS = [0.0, 100.0, 1000.0, 3000.0, 10000.0]
 

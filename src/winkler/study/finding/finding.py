@@ -22,8 +22,6 @@ from winkler.study.chapters.kind import Words
 from winkler.study.language.catalogue import kinds, slot_of
 from winkler.study.language.explain import summary
 
-__all__ = ["Beyond", "Hit", "SearchResult", "find", "known", "materials_meant", "neighbours", "public_names", "words"]
-
 LANGUAGES = ("en", "de", "fr")
 SATURATION, LENGTH = 1.2, 0.1
 """Of BM25: how soon one more occurrence counts no more, and how far long entries are held back."""

@@ -38,8 +38,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["ASSUMED_POISSON", "GENERAL", "HELD", "SPECIFIC", "AreaTable", "HeldTable", "TableKind"]
-
 Header = tuple[Column, ...]
 REDUCED = Column("reduced modulus", ("er", "reduced modulus"), "Pa")
 """In lists of results."""

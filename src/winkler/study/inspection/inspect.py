@@ -58,8 +58,6 @@ from winkler.study.inspection.surfaces import SurfaceOptions, read_surface_file
 from winkler.values.errors import InvalidInput, WinklerError
 from winkler.values.readable import with_unit
 
-__all__ = ["SURFACE_KINDS", "inspect_file", "inspect_files"]
-
 ANY_COLUMNS = (DEPTH, FORCE)
 """What a header may name, for messages."""
 NO_HEADER = "without a header above them"

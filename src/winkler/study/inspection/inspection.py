@@ -14,8 +14,6 @@ from winkler.values.readable import with_unit
 from winkler.values.value import value
 from winkler.values.vocabulary import GLOSSARY, Word, own_word
 
-__all__ = ["InspectedColumn", "InspectedNumber", "Inspection", "columns_of", "thinned"]
-
 BARS = "▁▂▃▄▅▆▇█"
 SPARKLINE_POINTS = 32
 """Numbers of a column in its sparkline."""

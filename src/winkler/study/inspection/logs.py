@@ -12,8 +12,6 @@ from winkler.fitting.logs.friction_log import FrictionLog
 from winkler.fitting.logs.runs import FEWEST_BOUNCES, BounceTimes, PinOnDisc
 from winkler.values.readable import with_unit
 
-__all__ = ["log_doubts", "log_lines"]
-
 UNEVEN = 0.1
 """Relative standard deviation of strokes from which on they are named."""
 LEAST_ERRORS, SAME_RESTITUTION = 4.0, 1e-4

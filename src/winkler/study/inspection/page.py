@@ -12,8 +12,6 @@ from winkler.study.report.mathml import symbol
 from winkler.study.report.thumbnails import thumbnail
 from winkler.values.readable import with_unit
 
-__all__ = ["inspection_html"]
-
 
 def inspection_html(found: Inspection) -> str:
     """Return what the terminal shows, with a thumbnail of each column.

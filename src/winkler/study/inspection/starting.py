@@ -17,8 +17,6 @@ from winkler.io.tables.header import names_columns
 from winkler.study.inspection.file_kinds import ASSUMED_POISSON
 from winkler.study.inspection.inspection import Inspection
 
-__all__ = ["placed_study", "starting_study"]
-
 PLACE = re.compile(r"<(\w+)\.(\w+)(?:\*([\d.e-]+))?>")
 FILE = "<file>"
 GRAVITY = 9.81

@@ -20,8 +20,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.units import quantity
 from winkler.values.vocabulary import word
 
-__all__ = ["SurfaceOptions", "SurfaceRead", "read_surface_file"]
-
 SHARES = (0.1, 0.5, 0.9)
 """Of the bearing curve among the numbers."""
 LARGE_TILT = 0.2

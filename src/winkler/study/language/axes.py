@@ -16,8 +16,6 @@ from winkler.study.language.designs import DESIGNS, Design
 from winkler.study.language.varied import Axis, Range
 from winkler.values.errors import InvalidInput, suggest
 
-__all__ = ["design", "line", "written", "written_design"]
-
 
 def design(raw: Any) -> Design:
     """Return the design of a sweep, from a table with a kind.

@@ -22,7 +22,6 @@ from winkler.values.errors import InvalidInput, WinklerError
 if TYPE_CHECKING:
     from pydantic import BaseModel
 
-__all__ = ["assembled", "build", "unbuild", "written_field", "written_number", "written_numbers"]
 
 MOST_NEIGHBOURS = 1000
 """Files of a folder among which similar names are searched."""

@@ -16,7 +16,6 @@ from winkler.study.language.study import Places, Study
 if TYPE_CHECKING:
     from winkler.study.language.fit_study import FitStudy
 
-__all__ = ["canonical", "digest", "digest_of", "how_fitted", "plain"]
 
 MOST_NUMBERS_WRITTEN = 4096
 """Maps with more numbers are represented by their hash."""

@@ -17,21 +17,6 @@ from winkler.study.chapters.contents import CHAPTERS
 from winkler.study.chapters.kind import Kind, kind, path_of
 from winkler.study.chapters.relaxing_bodies import RELAXING_BODIES
 
-__all__ = [
-    "CATALOGUE",
-    "FORMER",
-    "FORMER_PARTS",
-    "REFUSED",
-    "SLOTS",
-    "UNWRITTEN",
-    "Kind",
-    "in_kinds",
-    "in_present_kinds",
-    "kind_of",
-    "kinds",
-    "slot_of",
-]
-
 
 def _merged(*tables: dict[str, dict[str, Kind]]) -> dict[str, dict[str, Kind]]:
     """Put the kinds of every slot together, in the order of the tables."""

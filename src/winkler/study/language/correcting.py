@@ -26,8 +26,6 @@ from winkler.fitting.curves.events.kinds import with_error
 from winkler.study.language.segmenting import events_text, segmented, segments_text, with_stated_events
 from winkler.values.readable import with_unit
 
-__all__ = ["CORRECTIONS", "Corrected", "corrected"]
-
 
 class Corrected(NamedTuple):
     """A curve, and the sentences about its corrections."""

@@ -23,8 +23,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.limits import MOST_NUMBERS, MOST_SWEPT_RUNS
 from winkler.values.value import value
 
-__all__ = ["DESIGNS", "POINT", "Crossed", "Design", "LatinHypercube", "Sensitivity", "Sobol", "Zipped", "axes_of"]
-
 POINT = "point"
 """Dimension of the designs that do not cross their keys."""
 

@@ -16,8 +16,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.readable import GREEK
 from winkler.values.vocabulary import Word, word
 
-__all__ = ["Key", "completed", "example_study", "keys_of", "place_of", "plain_symbol", "summary", "table_at"]
-
 
 class Key(NamedTuple):
     """One key of a kind.

@@ -17,8 +17,6 @@ from winkler.study.language.schema import FORBID, MISSING
 from winkler.study.language.segmenting import stated_events, stated_segments
 from winkler.values.errors import InvalidInput, suggest
 
-__all__ = ["fit_form"]
-
 PARTS: Any = Literal["approach", "hold", "retract", "both"]
 FITTED_QUANTITIES: Any = Literal["force", "position"]
 NOISE_SPECTRA: Any = Literal["unknown", "white"]

@@ -29,8 +29,6 @@ from winkler.study.language.study import Output
 from winkler.values.errors import InvalidInput, WinklerError, suggest
 from winkler.values.limits import MOST_CURVES
 
-__all__ = ["parse_fit_study", "read_fit_study"]
-
 PLACEHOLDER = {"kind": "depth", "depth": "0 m"}
 PLACEHOLDER_TURNS = {"kind": "depth", "depth": ["0 m"]}
 PLACEHOLDER_PATH = {"kind": "path", "time": ["0 s"], "normal": PLACEHOLDER}
@@ -91,7 +89,7 @@ def _study_of(raw: dict[str, Any], text: str, file: str, folder: Path) -> FitStu
         return FitStudy(
             title=form.title or Path(file).stem,
             problem=problem,
-            sources=_sources(given.pop("curve"), folder),
+            sources=curve_files(given.pop("curve"), folder, "fit.curve"),
             free=frees,
             output=Output(**stated(form.output)),
             text=text,
@@ -174,28 +172,28 @@ def _noise(raw: Any, unit: str) -> float:
     return noise
 
 
-def _sources(given: str, folder: Path) -> tuple[str, ...]:
-    """Return the files that `curve` names."""
+def curve_files(given: str, folder: Path, where: str) -> tuple[str, ...]:
+    """Return the files that a key `where` names: a file, a folder, or a pattern, in the order of their numbers."""
     try:
-        paths, what = _named(given, folder)
+        paths, what = _named(given, folder, where)
         files = sorted(itertools.islice(paths, MOST_CURVES + 1), key=_in_numbers)
     except InvalidInput:
         raise
     except (OSError, ValueError, NotImplementedError, RecursionError) as error:
         raise InvalidInput(
-            f"fit.curve is '{path_text(given)}', which cannot be accessed ({reason_of(error)}); give a file, a folder "
-            "or a pattern from the study."
+            f"{where} is '{path_text(given)}', which cannot be accessed ({reason_of(error)}); give a file, a folder or "
+            "a pattern from the study."
         ) from None
     if not files:
-        raise InvalidInput(f"fit.curve: {what}; give a file, a folder or a pattern that has some.")
+        raise InvalidInput(f"{where}: {what}; give a file, a folder or a pattern that has some.")
     if len(files) > MOST_CURVES:
         raise InvalidInput(
-            f"fit.curve is '{path_text(given)}', which are more than {MOST_CURVES} files; fit them in parts."
+            f"{where} is '{path_text(given)}', which are more than {MOST_CURVES} files; fit them in parts."
         )
     return tuple(str(item) for item in files)
 
 
-def _named(given: str, folder: Path) -> tuple[Iterator[Path], str]:
+def _named(given: str, folder: Path, where: str) -> tuple[Iterator[Path], str]:
     """Return the files that `curve` names, and the error text if there are none."""
     path = folder / given
     if path.is_file():
@@ -205,7 +203,7 @@ def _named(given: str, folder: Path) -> tuple[Iterator[Path], str]:
         return inside, f"the folder '{given}' holds no files"
     if GLOB_MARKS.search(given):
         if given.count("**") > 1:
-            raise InvalidInput(f"fit.curve is '{path_text(given)}'; give a pattern with ** once, or without.")
+            raise InvalidInput(f"{where} is '{path_text(given)}'; give a pattern with ** once, or without.")
         absolute = Path(given).is_absolute()
         root = Path(Path(given).anchor) if absolute else folder
         pattern = str(Path(given).relative_to(root)) if absolute else given
@@ -214,7 +212,7 @@ def _named(given: str, folder: Path) -> tuple[Iterator[Path], str]:
     near = sorted(item.name for item in itertools.islice(beside, MOST_NEIGHBOURS))
     hint = suggest(path.name, near) or (f"; there are {', '.join(near[:5])}" if near else "")
     raise InvalidInput(
-        f"fit.curve is '{path_text(given)}', which does not exist beside the study{hint}; give a file, a folder or a "
+        f"{where} is '{path_text(given)}', which does not exist beside the study{hint}; give a file, a folder or a "
         "pattern from there."
     )
 

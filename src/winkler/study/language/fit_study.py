@@ -24,8 +24,6 @@ from winkler.study.language.study import Output
 from winkler.values.value import value
 from winkler.values.vocabulary import Word
 
-__all__ = ["FITTED", "OF_A_CURVE", "OF_A_TIMED_CURVE", "Alternative", "FitStudy", "Free", "word_of"]
-
 FITTED = ("indentation", "adhesive_indentation", "plastic_indentation", "viscoelastic_indentation")
 """Problems that can be the model of a curve."""
 OF_A_CURVE = {

@@ -13,8 +13,6 @@ from winkler.study.language.quantities import WHERE, wrong
 from winkler.study.language.schema import FORBID, MISSING, choice
 from winkler.study.language.study import Places
 
-__all__ = ["PLACE_KEYS", "SECTIONS", "section_keys", "study_form"]
-
 SECTIONS: dict[str, dict[str, str]] = {
     "the study": {
         "title": "one line for tables, figures and the report; the name of the file if left out",

@@ -20,11 +20,6 @@ from winkler.values.checks.number_checks import Number
 from winkler.values.unit_grammar import PREFIXED_UNITS, PREFIXES, SCALE_ZEROS, UNPREFIXED_UNITS, si_unit, unit_of
 from winkler.values.units import is_fixed
 
-__all__ = [
-    "KINDS", "SHARED", "Form", "checked", "counts", "grid", "height_map", "indexed", "named", "of_kinds", "one_or_many",
-    "pair", "places", "quantity", "several", "texts",
-]  # fmt: skip
-
 Form = dict[str, Any]
 """A part of a JSON schema."""
 

@@ -17,8 +17,6 @@ from winkler.values.limits import KEY_LETTERS
 from winkler.values.readable import scale_of
 from winkler.values.vocabulary import Word, word
 
-__all__ = ["content_at", "label", "owner_at", "replaced", "word_at"]
-
 
 def _names(content: Any) -> list[str] | None:
     """Return the names of a table that is kept as a tuple of (name, content) pairs, else None."""

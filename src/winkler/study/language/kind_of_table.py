@@ -9,8 +9,6 @@ from winkler.study.language.catalogue import REFUSED, kinds, slot_of
 from winkler.study.language.quantities import WHERE, wrong
 from winkler.values.errors import listed, suggest
 
-__all__ = ["either_file_or", "refuse_kind", "value_text"]
-
 
 def refuse_kind(raw: Any, allowed: tuple[str, ...]) -> NoReturn:
     """Raise why `raw` is not a table of one of the `allowed` kinds."""

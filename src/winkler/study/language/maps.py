@@ -13,8 +13,6 @@ from winkler.numerics.types import Array
 from winkler.study.language.quantities import WHERE, number_or_numbers, numbers, sentence_of, wrong
 from winkler.values.limits import MOST_NUMBERS
 
-__all__ = ["MAPS", "PAIRS", "counts", "height_map", "pair", "written_map"]
-
 LOADS = ("pressure", "x_traction", "y_traction")
 MAPS: frozenset[tuple[str, str]] = frozenset({("Topography", "heights"), *(("SurfaceLoad", name) for name in LOADS)})
 """Fields that are maps of quantities, row by row."""

@@ -15,8 +15,6 @@ from winkler.study.language.schema import form
 from winkler.values.errors import InvalidInput, nearest, suggest
 from winkler.values.vocabulary import word
 
-__all__ = ["MOST_SENTENCES", "sentences", "worded"]
-
 MOST_SENTENCES = 10
 """Most sentences that are shown."""
 

@@ -23,31 +23,6 @@ from winkler.values.errors import InvalidInput, WinklerError, suggest
 from winkler.values.units import is_fixed, quantity, to_si
 from winkler.values.vocabulary import word
 
-__all__ = [
-    "GRIDS",
-    "INDEXED",
-    "INFINITE",
-    "WHERE",
-    "check_keys",
-    "dependent",
-    "endless",
-    "grid",
-    "indexed",
-    "inside",
-    "named",
-    "number",
-    "number_or_infinite",
-    "number_or_numbers",
-    "numbers",
-    "read_at",
-    "sample",
-    "sentence_of",
-    "settle",
-    "unit_in",
-    "unit_of",
-    "wrong",
-]
-
 WHERE = "\x00"
 """Stands for the path of the key in a sentence."""
 

@@ -18,8 +18,6 @@ from winkler.study.language.study import Fields, Output, Study
 from winkler.values.errors import InvalidInput, WinklerError
 from winkler.values.limits import STUDY_BYTES, STUDY_MARKS
 
-__all__ = ["checked", "parse_study", "parsed", "read_study", "read_text", "stated"]
-
 MOST_LEVELS = 50
 """Levels of tables and lists within each other."""
 DEEP_KEY = re.compile(

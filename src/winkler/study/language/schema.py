@@ -31,9 +31,9 @@ from pydantic import (
 from pydantic_core import PydanticCustomError
 
 from winkler.numerics.types import Array
-from winkler.study.chapters.kind import path_of
+from winkler.study.chapters.kind import Kind, path_of
 from winkler.study.language import json_forms, maps, quantities
-from winkler.study.language.catalogue import CATALOGUE, SLOTS, UNWRITTEN, Kind, kinds
+from winkler.study.language.catalogue import CATALOGUE, SLOTS, UNWRITTEN, kinds
 from winkler.study.language.json_forms import checked
 from winkler.study.language.kind_of_table import either_file_or, refuse_kind, value_text
 from winkler.study.language.quantities import WHERE, wrong
@@ -41,24 +41,6 @@ from winkler.values.checks.contract import stands_for
 from winkler.values.checks.field_checks import numbers_taken
 from winkler.values.errors import suggest
 from winkler.values.units import format_quantity
-
-__all__ = [
-    "FORBID",
-    "GROOVE",
-    "MISSING",
-    "OSCULATION",
-    "adapter",
-    "allowed_in_list",
-    "allowed_kinds",
-    "choice",
-    "diameters",
-    "form",
-    "hints",
-    "is_choice",
-    "options",
-    "required_fields",
-    "slot_adapter",
-]
 
 OSCULATION, BALL, GROOVE = "osculation", "first_lateral_radius", "second_lateral_radius"
 """Radius of a groove over the diameter of the ball in it, and the radii that it stands between."""

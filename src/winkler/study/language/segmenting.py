@@ -24,17 +24,6 @@ from winkler.study.language.quantities import WHERE, wrong
 from winkler.values.errors import InvalidInput, suggest
 from winkler.values.units import quantity
 
-__all__ = [
-    "FOUND",
-    "NONE",
-    "events_text",
-    "segmented",
-    "segments_text",
-    "stated_events",
-    "stated_segments",
-    "with_stated_events",
-]
-
 FOUND, NONE = "found", "none"
 EXAMPLE = '["loading 0 s", "hold 12 s", "unloading 17 s"]'
 MOST_LISTED = 12

@@ -22,8 +22,6 @@ from winkler.values.limits import FIELD_PLACES, KEY_LETTERS
 from winkler.values.value import value
 from winkler.values.vocabulary import GLOSSARY
 
-__all__ = ["GRADES", "PICTURES", "Axis", "Expectation", "Fields", "Output", "Places", "Study", "named"]
-
 PICTURES = ("svg", "png", "pdf")
 """Formats that figures can be written in."""
 

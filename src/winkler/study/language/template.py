@@ -12,8 +12,6 @@ from winkler.study.language.quantities import sample
 from winkler.study.language.schema import hints
 from winkler.values.checks.number_checks import Whole
 
-__all__ = ["SCHEMA_FILE", "example_text", "inline", "template", "whole_text"]
-
 COMMENT_COLUMN = 44
 SCHEMA_FILE = "winkler.schema.json"
 """File beside a study in which an editor looks for its schema."""

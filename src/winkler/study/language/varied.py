@@ -11,8 +11,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput, suggest
 from winkler.values.value import value
 
-__all__ = ["SCALES", "Axis", "Range"]
-
 SCALES = ("linear", "log")
 """Scales on which a range is covered evenly."""
 

@@ -12,8 +12,6 @@ from winkler.study.language.build import unbuild, written_number, written_number
 from winkler.study.language.designs import Crossed
 from winkler.study.language.study import Expectation, Fields, Output, Places, Study
 
-__all__ = ["study_text"]
-
 
 def study_text(study: Study) -> str:
     """Return a study as TOML; `parse_study` gives the same study back, floats to the last digit.

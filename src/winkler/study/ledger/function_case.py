@@ -34,15 +34,13 @@ from winkler.problems.adhesion.tabor import maugis_parameter
 from winkler.problems.rolling.kalker import creep_coefficients
 from winkler.problems.rolling.linear_theory import linear_creep_coefficients
 from winkler.problems.rough.persson import area_fraction
-from winkler.study.batch.outcome import ComparedNumber
+from winkler.study.batch.points import ComparedNumber
 from winkler.study.batch.verdicts import deviation
 from winkler.study.language.compared.expectations import expectations
 from winkler.study.language.quantities import read_at
 from winkler.study.language.reading import parsed, read_text
 from winkler.study.language.study import Expectation
 from winkler.values.errors import InvalidInput, suggest
-
-__all__ = ["FUNCTIONS", "Function", "FunctionCase", "function_verdicts", "read_function_case"]
 
 
 class Function(NamedTuple):

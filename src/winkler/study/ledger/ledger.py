@@ -21,7 +21,8 @@ import numpy as np
 
 from winkler.study.batch.fit_outcome import Fitted
 from winkler.study.batch.fit_run import fit_study
-from winkler.study.batch.outcome import ComparedNumber, Outcome
+from winkler.study.batch.outcome import Outcome
+from winkler.study.batch.points import ComparedNumber
 from winkler.study.batch.run import gather
 from winkler.study.batch.sweep import solve_points
 from winkler.study.batch.verdicts import deviation
@@ -38,8 +39,6 @@ from winkler.study.nanoindentation.reading import NanoindentationStudy, read_nan
 from winkler.study.nanoindentation.running import evaluated_files, gathered, read_references
 from winkler.values.errors import InvalidInput, WinklerError, suggest
 from winkler.values.value import value
-
-__all__ = ["CASES", "LedgerEntry", "case_files", "ledger", "read_fit_case", "remarks", "run_case"]
 
 CASES = Path(__file__).parents[2] / "cases"
 """The folder of the cases that come with the package."""

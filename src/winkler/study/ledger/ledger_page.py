@@ -7,13 +7,11 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from winkler.study.batch.outcome import ComparedNumber
+from winkler.study.batch.points import ComparedNumber
 from winkler.study.language.study import GRADES, Expectation
 from winkler.study.ledger.ledger import LedgerEntry
 from winkler.study.ledger.physics import CHAPTERS
 from winkler.values.value import value
-
-__all__ = ["LedgerChapter", "chapters", "digits", "markdown", "number_text", "where"]
 
 GRADE_MEANINGS = {
     "analytical": "a closed form, or an integral done at 30 digits",

@@ -15,8 +15,6 @@ from winkler.study.chapters import contents
 from winkler.study.language.catalogue import kind_of
 from winkler.study.language.study import Study
 
-__all__ = ["CHAPTERS", "FITS", "physics_of"]
-
 NORMAL, FIELDS, COATINGS, GRADED, FITS = "normal contact", "fields", "coatings", "graded bodies", "fits"
 OTHER_CONTACTS = "other contacts"
 NON_ROUND_CONTACTS = dict.fromkeys(

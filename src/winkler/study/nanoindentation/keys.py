@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-__all__ = ["MEANINGS", "UNITS"]
-
 KEYS: dict[str, dict[str, tuple[str | None, str]]] = {
     "indentation": {
         "curve": (None, "a file, a folder or a pattern such as 'steel/*.csv', relative to the study"),

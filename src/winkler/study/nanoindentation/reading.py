@@ -17,7 +17,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -30,14 +29,13 @@ from winkler.io.tables.given_units import checked_columns, checked_units
 from winkler.materials.elastic import Elastic
 from winkler.study.language import quantities
 from winkler.study.language.compared.expectations import expectations
+from winkler.study.language.fit_reading import curve_files
 from winkler.study.language.reading import parsed, read_text
 from winkler.study.language.segmenting import stated_segments
 from winkler.study.language.study import Expectation, Output
 from winkler.study.nanoindentation.keys import UNITS
 from winkler.values.errors import InvalidInput, WinklerError, suggest
 from winkler.values.value import value
-
-__all__ = ["NanoindentationStudy", "is_nanoindentation", "read_nanoindentation_study"]
 
 SECTIONS = ("indentation", "calibration")
 TOP = ("title", *SECTIONS, "indenter", "output", "expect", "source", "grade")
@@ -335,23 +333,7 @@ def _area(content: dict[str, Any], folder: Path) -> CalibratedArea:
 
 
 def _files(given: Any, folder: Path, where: str) -> tuple[str, ...]:
-    """Return the files that a name, a folder or a pattern stands for, curve2 before curve10."""
+    """Return the files that a key names, in the order of their numbers."""
     if not isinstance(given, str) or not given:
         raise InvalidInput(f"{where} is {given!r}; give a file, a folder or a pattern from the study.")
-    path = folder / given
-    try:
-        if path.is_file():
-            found = [path]
-        elif path.is_dir():
-            found = [one for one in path.iterdir() if one.is_file() and not one.name.startswith(".")]
-        else:
-            found = [one for one in folder.glob(given) if one.is_file()] if re.search(r"[*?\[]", given) else []
-    except (OSError, ValueError, NotImplementedError) as error:
-        raise InvalidInput(f"{where} is {given!r}, which cannot be accessed ({error}).") from None
-    if not found:
-        raise InvalidInput(f"{where} is {given!r}, where there is no file; give a file, a folder or a pattern.")
-
-    def in_numbers(one: Path) -> list[tuple[int, str]]:
-        return [(int(p), "") if p.isdecimal() else (-1, p) for p in re.split(r"(\d+)", one.as_posix())]
-
-    return tuple(str(one) for one in sorted(found, key=in_numbers))
+    return curve_files(given, folder, where)

@@ -22,16 +22,6 @@ from winkler.study.report.thumbnails import ThumbnailOf, thumbnails_section
 from winkler.values.readable import with_unit
 from winkler.values.validity import Standing
 
-__all__ = [
-    "CONTINUOUS_HEADS",
-    "calibration_rows",
-    "continuous_rows",
-    "figures_of",
-    "first_yield_rows",
-    "mean_rows",
-    "page",
-]
-
 MOST_CURVES_DRAWN, MOST_ROWS, LEAST_TOGETHER = 6, 40, 3
 CURVES_BESIDE = 4
 """Curves in one table of quantities; more are wider than the page."""

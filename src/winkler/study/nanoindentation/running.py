@@ -38,7 +38,8 @@ from winkler.fitting.nanoindentation.zero_point import ZeroPoint
 from winkler.fitting.several.standing_out import BatchQuantity, copies, doubts_of_batch
 from winkler.io.curves import UnreadCurve, try_curves
 from winkler.io.placed_curves import PlacedCurve
-from winkler.study.batch.outcome import ComparedNumber, Provenance, answers_of
+from winkler.study.batch.outcome import Provenance, answers_of
+from winkler.study.batch.points import ComparedNumber
 from winkler.study.batch.run import provenance
 from winkler.study.batch.verdicts import deviation
 from winkler.study.language.segmenting import segmented
@@ -48,17 +49,6 @@ from winkler.values.errors import InvalidInput, Mistake, WinklerError, suggest
 from winkler.values.readable import with_unit
 from winkler.values.validity import Note, worst_of_each
 from winkler.values.value import value
-
-__all__ = [
-    "FEWEST",
-    "Evaluated",
-    "NanoindentationOutcome",
-    "Unevaluated",
-    "evaluated_files",
-    "first_yield",
-    "gathered",
-    "read_references",
-]
 
 DEEPER = 0.5
 """Part of the greatest depth from which on a curve is averaged where no depths are stated."""

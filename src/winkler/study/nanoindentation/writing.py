@@ -24,8 +24,6 @@ from winkler.study.report.page_parts import page_files
 from winkler.study.report.writing import with_provenance
 from winkler.values.vocabulary import Word
 
-__all__ = ["nanoindentation_files"]
-
 
 def nanoindentation_files(outcome: NanoindentationOutcome) -> dict[str, bytes]:
     """Return the files of the results of a study: name -> content."""

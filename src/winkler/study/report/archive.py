@@ -28,7 +28,8 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.study.batch import sensitivity
 from winkler.study.batch.events import EVENTS, Event
-from winkler.study.batch.outcome import Outcome, ResultColumn, SolvedPoint
+from winkler.study.batch.outcome import Outcome, ResultColumn
+from winkler.study.batch.points import SolvedPoint
 from winkler.study.batch.sensitivity import INDEX_MEANINGS, SENSITIVITY
 from winkler.study.language import keys
 from winkler.study.language.writing import study_text
@@ -39,7 +40,6 @@ from winkler.values.vocabulary import Word, word
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["CSV", "NETCDF", "SURFACE", "archive_files", "dataset", "heading", "rows_of", "table_file"]
 
 NETCDF, CSV, SURFACE = "results.nc", "results.csv", "surface.csv"
 

@@ -13,7 +13,6 @@ from winkler.values.vocabulary import Word, word
 if TYPE_CHECKING:
     from winkler.profiles.rough.topography import Topography
 
-__all__ = ["add_maps"]
 
 MOST_MAPS = 256
 """Points of a sweep up to which maps are stored; of longer ones only numbers."""

@@ -14,8 +14,6 @@ from typing import Any, NamedTuple
 
 from winkler.study.language.catalogue import kind_of, kinds
 
-__all__ = ["Reference", "bibliography", "cite"]
-
 ACCENTS = {r"{\"u}": "ü", r"{\"o}": "ö", r"{\"a}": "ä", r"{\ss}": "ß", r"{\`a}": "à", r"{\'e}": "é"}
 
 

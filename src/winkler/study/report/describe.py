@@ -16,8 +16,6 @@ from winkler.study.language.varied import Axis, Range
 from winkler.values.readable import name_in_words, scale_of, with_unit
 from winkler.values.vocabulary import Word, own_word, word
 
-__all__ = ["Input", "content_label", "in_words", "inputs", "setting_text", "settings_text", "values_text"]
-
 ROLES = {
     "profile": "The shape is {a}.",
     "plane_profile": "The equivalent plane profile g(x) is given directly: {a}.",

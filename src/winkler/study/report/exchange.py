@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     import pandas
     import xarray
 
-__all__ = ["to_pandas", "to_xarray"]
 
 PLACE_NAMES = ("r", "x", "y", "z")
 """Fields that are coordinates."""

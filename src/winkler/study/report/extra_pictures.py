@@ -8,8 +8,6 @@ from winkler.study.chapters.answer import Caption
 from winkler.study.chapters.contents import answer_of
 from winkler.study.chapters.kind import is_a
 
-__all__ = ["ExtraPicture", "extra_pictures"]
-
 HOLD_A_CONTACT = (
     "winkler.problems.rough.surface_conduction:SurfaceConductionSolution",
     "winkler.problems.pressed_maps.seal:SealSolution",

@@ -13,8 +13,6 @@ if TYPE_CHECKING:
     from winkler.plot.panel import Sheet
     from winkler.plot.picture import Picture
 
-__all__ = ["ReportFigure", "capital", "drawn", "figure_files", "svg_element"]
-
 
 class ReportFigure(NamedTuple):
     """A figure of a study, or the reason why it is missing.

@@ -20,13 +20,15 @@ from winkler.problems.line.indentation import LineSolution
 from winkler.problems.normal.elliptic import EllipticSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.subsurface.contact_stress import ContactStress, ContactStressSolution
-from winkler.study.batch.outcome import Outcome, SolvedPoint
+from winkler.study.batch.outcome import Outcome
+from winkler.study.batch.points import SolvedPoint
 from winkler.study.chapters.answer import ALONG, Answer
 from winkler.study.chapters.answer import PicturedContact as Shows
 from winkler.study.chapters.contents import answer_of
 from winkler.study.chapters.method_captions import captions_of
 from winkler.study.language.designs import POINT
-from winkler.study.language.study import Axis, Study
+from winkler.study.language.study import Study
+from winkler.study.language.varied import Axis
 from winkler.study.report.describe import content_label, setting_text, settings_text
 from winkler.study.report.extra_pictures import ExtraPicture, extra_pictures
 from winkler.study.report.figure import ReportFigure, capital, drawn
@@ -35,8 +37,6 @@ from winkler.study.report.headline.shown_contact import medium_of, shown_contact
 from winkler.study.report.sweep_figures import clouds, mapped, maps, parts, varied_series
 from winkler.study.report.variation import variation_shows
 from winkler.values.errors import InvalidInput, OutsideValidity, WinklerError
-
-__all__ = ["answers_over", "figures_of"]
 
 MOST_CURVES = 24
 """Curves in one figure; the table holds all."""

@@ -33,8 +33,6 @@ from winkler.study.report.tables import batch_section, given_rows
 from winkler.study.report.thumbnails import ThumbnailOf, thumbnails_section
 from winkler.values.readable import with_unit
 
-__all__ = ["figures_of", "figures_of_curves", "figures_of_many", "page", "steps"]
-
 MOST_CURVES_DRAWN = 12
 """Curves that are drawn, spread evenly over all."""
 MOST_MEASURED_DRAWN = 3

@@ -16,8 +16,6 @@ from winkler.study.report.tables import reason_list
 from winkler.values.readable import with_unit
 from winkler.values.vocabulary import Word
 
-__all__ = ["MOST_ROWS", "answers", "counts", "curve_texts", "doubts", "failures", "number_texts"]
-
 MOST_ROWS = 40
 """Longer tables are cut; the CSV file holds all rows."""
 

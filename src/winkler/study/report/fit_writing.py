@@ -29,7 +29,6 @@ from winkler.values.vocabulary import Word
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["CSV", "MAPS", "MOST_CURVES_AS_TEXT", "NETCDF", "dataset", "map_grid", "number_files"]
 
 CSV, NETCDF, MAPS = "fit.csv", "fit.nc", "maps.nc"
 MOST_CURVES_AS_TEXT = 24

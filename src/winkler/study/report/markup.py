@@ -9,8 +9,6 @@ from collections.abc import Iterable
 from winkler.values.readable import with_readable_numbers
 from winkler.values.validity import Note, in_words, worst
 
-__all__ = ["assumed_line", "badge", "number", "safe", "section", "table", "with_fixed_units"]
-
 
 def safe(text: object) -> str:
     """Return text that a page shows as it is.

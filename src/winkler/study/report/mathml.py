@@ -12,8 +12,6 @@ import re
 
 from winkler.values.errors import InvalidInput
 
-__all__ = ["formula", "inline", "symbol"]
-
 TOKEN = re.compile(r"\\[A-Za-z]+|\\[,;! ]|\d+(?:\.\d+)?|[A-Za-z]|\S")
 
 LETTERS = {

@@ -16,8 +16,6 @@ import numpy as np
 
 from winkler.values.vocabulary import Word
 
-__all__ = ["Variables", "has_netcdf", "netcdf_attributes", "netcdf_file"]
-
 LOG = logging.getLogger(__name__)
 LEAST_COMPRESSED = 1000
 """Arrays of floats with more numbers are compressed, without loss."""

@@ -22,19 +22,6 @@ from winkler.study.report.mathml import formula
 from winkler.values.readable import with_readable_numbers
 from winkler.values.validity import Note, Standing
 
-__all__ = [
-    "REPORT",
-    "code_section",
-    "figure_elements",
-    "folded",
-    "formula_list",
-    "framed",
-    "origin",
-    "page_files",
-    "papers",
-    "trust",
-]
-
 WIDE_FIGURE = 504.0
 """Width [pt] above which figures, panels side by side, take both columns of the page."""
 REPORT = "report.html"

@@ -28,8 +28,6 @@ from winkler.study.report.tables import (
 )
 from winkler.values.readable import with_unit
 
-__all__ = ["page", "report_files"]
-
 
 def report_files(outcome: Outcome) -> dict[str, bytes]:
     """Return the figures of a study and its report: name -> content.

@@ -19,8 +19,6 @@ from winkler.io.whole_file import remove_left, unwritable
 from winkler.study.report.writing import FOLDER, OLD, PARTIAL, holds_results
 from winkler.values.errors import InvalidInput
 
-__all__ = ["reserved"]
-
 HEX_DIGIT = "[0-9a-f]"
 
 

@@ -16,8 +16,6 @@ from winkler.study.language.study import Study
 from winkler.study.language.varied import Axis
 from winkler.study.report.figure import ReportFigure, capital, drawn
 
-__all__ = ["clouds", "mapped", "maps", "parts", "varied_series"]
-
 LEAST_MAP_VALUES = 12
 """Values of each of two keys from which they are shown as a map."""
 

@@ -10,7 +10,8 @@ import numpy as np
 from winkler.fitting.several.standing_out import LEAST_STATED, BatchQuantity
 from winkler.plot.series import middle_scale, name_in_words
 from winkler.study.batch.events import EVENTS, Event
-from winkler.study.batch.outcome import ComparedNumber, Outcome, ResultColumn
+from winkler.study.batch.outcome import Outcome, ResultColumn
+from winkler.study.batch.points import ComparedNumber
 from winkler.study.language import keys
 from winkler.study.report.archive import CSV, rows_of
 from winkler.study.report.describe import Input, content_label, in_words, inputs, settings_text
@@ -20,20 +21,6 @@ from winkler.study.report.headline.summary import contact_summary
 from winkler.study.report.markup import number, safe, section, table, with_fixed_units
 from winkler.study.report.mathml import symbol
 from winkler.values.readable import with_unit
-
-__all__ = [
-    "answer_section",
-    "batch_section",
-    "contact_section",
-    "expected",
-    "expected_section",
-    "failures",
-    "given_rows",
-    "input_section",
-    "loops_section",
-    "question_section",
-    "reason_list",
-]
 
 MOST_ROWS = 24
 """Longer tables are cut in the middle; the CSV file holds all rows."""

@@ -10,8 +10,6 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.study.report.markup import safe, section
 
-__all__ = ["MOST_THUMBNAILS", "ThumbnailOf", "thumbnail", "thumbnails_section"]
-
 THUMBNAIL_POINTS, MANY_POINTS, MANY = 48, 24, 100
 """Most points of a curve; where there are more thumbnails than that on a page, fewer."""
 MOST_THUMBNAILS = 1000

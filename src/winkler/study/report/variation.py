@@ -8,8 +8,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["variation_shows"]
-
 ROUNDING = 1e-9
 """Variation over the greatest number that is rounding."""
 LEFT_BY_SOLVERS = 1e-6

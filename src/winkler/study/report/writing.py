@@ -27,18 +27,6 @@ if TYPE_CHECKING:
     from winkler.study.batch.fit_outcome import FitOutcome
     from winkler.study.batch.journal import Journal
 
-__all__ = [
-    "FOLDER",
-    "OLD",
-    "PARTIAL",
-    "PROVENANCE",
-    "holds_results",
-    "missing",
-    "outcome_files",
-    "placed",
-    "with_provenance",
-    "write_files",
-]
 
 PROVENANCE = "provenance.json"
 """File that marks a folder of results, and lists its files."""

@@ -10,8 +10,6 @@ from winkler.numerics.transforms.strips import strip_punches
 from winkler.numerics.transforms.strips.strip_transforms import StripTransforms
 from winkler.numerics.types import Array
 
-__all__ = ["LayeredStrips"]
-
 
 class LayeredStrips(LayeredGrid):
     """Matrices of the transforms on one grid of distances from the middle.

@@ -24,8 +24,6 @@ from winkler.numerics.transforms.cosine_transform import wave_numbers
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values.errors import NotConverged
 
-__all__ = ["PassingModes", "passing_modes"]
-
 LONGEST, LARGEST_PHASE = 1e-8, 6.0
 """First panel of waves, and the width of panels: products of Bessel functions turn twice as fast."""
 SHORTEST = 1e12

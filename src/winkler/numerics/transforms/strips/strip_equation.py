@@ -36,28 +36,6 @@ from winkler.numerics.transforms.strips.strip_modes import bessel_rows, far_side
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = [
-    "LOCAL_PHASE",
-    "MOST_MODES",
-    "TAIL",
-    "VANISHED",
-    "PunchModes",
-    "StripResponse",
-    "Strips",
-    "Transforms",
-    "Waves",
-    "excess_at",
-    "first_modes",
-    "kept_share",
-    "octaves",
-    "punch_edges",
-    "punch_modes",
-    "settled_strips",
-    "strip_responses",
-    "summed",
-    "waves",
-]
-
 FIRST_WAVE_NUMBER = 0.5
 """First panel of wave numbers, in units of 1 / span."""
 LARGEST_PHASE = 12.0

@@ -26,8 +26,6 @@ from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, NODES, Wave
 from winkler.numerics.transforms.strips.strip_equation import LEAST_PHASE, PHASE_PER_MODE, Waves, excess_at, kept_share
 from winkler.numerics.types import Array
 
-__all__ = ["far_harmonics", "harmonic_rows", "harmonics", "resolves"]
-
 STEADY, MOST_STEADY = 48.0, 1500.0
 """Waves times the phase of half of the gap between strips, and at most: the shorter ones feel no narrower gap."""
 PASSAGE = 128

@@ -19,16 +19,6 @@ import numpy as np
 from winkler.numerics.chunks import chunks
 from winkler.numerics.types import Array, ComplexArray
 
-__all__ = [
-    "along_surface",
-    "bessel_rows",
-    "far_sides",
-    "lowered",
-    "potential_of_modes",
-    "pressure_of_modes",
-    "signs",
-]
-
 LEAST_UPWARD = 2
 NOTHING = 1e-17
 MARGIN = 24

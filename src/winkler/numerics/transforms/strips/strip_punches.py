@@ -63,8 +63,6 @@ from winkler.numerics.transforms.strips.strip_equation import MOST_MODES, first_
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["edge", "kernel"]
-
 WIDTHS_PER_OCTAVE = 20
 """Half-widths of an octave at which the equation is solved."""
 LOWEST, LOWEST_OF_TAIL, HIGHEST_OF_TAIL = -1, -6, 7

@@ -34,8 +34,6 @@ import numpy as np
 from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms
 from winkler.numerics.types import Array
 
-__all__ = ["StripTransforms"]
-
 FIRST_PLACE = 1e-30
 """Place in y, over that of the first node beside the middle, that stands for the middle itself."""
 

@@ -8,8 +8,6 @@ from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedCo
 from winkler.study.chapters.kind import is_a, kind
 from winkler.study.chapters.normal import MODULUS, ONSET, STRONG
 
-__all__ = ["LINE", "LOAD", "LOAD_PROFILE", "PRESSURE", "ROLLER"]
-
 ROLLER = {"kind": "line_foundation", "profile": {"kind": "paraboloid"}}
 WAVES = {
     "kind": "line_foundation",
@@ -199,8 +197,6 @@ LINE = Chapter(
                 "lundberg_1939",
                 "fujiwara_kawase_2007",
                 en="lundberg profile logarithmic roller profile",
-                de="",
-                fr="",
                 problem="roller_contact",
                 design_force_per_length="1 kN/mm",
             ),

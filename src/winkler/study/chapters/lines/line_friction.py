@@ -8,8 +8,6 @@ from winkler.study.chapters.lines.line import LOAD, LOAD_PROFILE, PRESSURE, ROLL
 from winkler.study.chapters.normal import MODULUS
 from winkler.study.chapters.viscoelastic import pair_formulas
 
-__all__ = ["LINE_FRICTION"]
-
 TO_AND_FRO = ["0 N/mm", "20 N/mm", "-20 N/mm", "20 N/mm"]
 
 SLIPPING = Equation(

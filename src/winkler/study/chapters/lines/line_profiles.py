@@ -6,8 +6,6 @@ from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedCo
 from winkler.study.chapters.kind import kind
 from winkler.study.chapters.normal import MODULUS
 
-__all__ = ["LINE_PROFILES"]
-
 STRIP_GAP = Equation(
     "Pressures and gaps of a section f(x), tilted by θ, are never negative, and one of the two is zero everywhere",
     r"h(x) = f(x)-\theta x-C-\frac{2}{\pi E^*}\int p(s)\,\ln|x-s|\,\mathrm{d}s, \quad p \ge 0, \; h \ge 0, \; p\,h = 0",

@@ -7,8 +7,6 @@ from winkler.study.chapters.kind import kind
 from winkler.study.chapters.lines.line import ROLLER
 from winkler.study.chapters.normal import MODULUS
 
-__all__ = ["LINE_ROLLING"]
-
 STEEL = {"kind": "elastic", "young": "210 GPa", "poisson": 0.3}
 STEEL_ON_STEEL = {**ROLLER, "medium": {"kind": "half_space", "first": STEEL, "second": STEEL}}
 RELAXING = {**ROLLER, "medium": {"kind": "viscoelastic_half_space"}}

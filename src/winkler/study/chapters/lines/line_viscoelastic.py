@@ -9,8 +9,6 @@ from winkler.study.chapters.kind import kind
 from winkler.study.chapters.lines.line import LOAD_PROFILE, ROLLER
 from winkler.study.chapters.viscoelastic import pair_formulas
 
-__all__ = ["LINE_VISCOELASTIC"]
-
 RELAXING = {**ROLLER, "medium": {"kind": "viscoelastic_half_space"}}
 ON_AND_OFF: dict[str, Any] = {
     "time": {"values": [0.0, 1.0, 2.0, 2.5], "unit": "s"},

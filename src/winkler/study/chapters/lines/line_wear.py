@@ -6,8 +6,6 @@ from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedCo
 from winkler.study.chapters.lines.line import LOAD, LOAD_PROFILE, PRESSURE, ROLLER
 from winkler.study.chapters.normal import MODULUS
 
-__all__ = ["LINE_WEAR"]
-
 STEEL = {"kind": "elastic"}
 STEEL_ON_STEEL = {**ROLLER, "medium": {"kind": "half_space", "first": STEEL, "second": STEEL}}
 PRESSED = {"kind": "line_force", "force_per_length": "100 N/mm"}

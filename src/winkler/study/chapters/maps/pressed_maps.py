@@ -6,8 +6,6 @@ from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedCo
 from winkler.study.chapters.conduction import STEEL_PAIR
 from winkler.study.chapters.rough import ELEMENTS, STAMP
 
-__all__ = ["PRESSED_MAPS"]
-
 PRESSED = {"kind": "surface_contact", "topography": {**STAMP, "seed": 1}}
 
 CORRECTED = Equation(

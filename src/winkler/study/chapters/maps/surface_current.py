@@ -9,8 +9,6 @@ from winkler.study.chapters.conduction import KOHLRAUSCH, PLATING
 from winkler.study.chapters.kind import is_a, kind
 from winkler.study.chapters.rough import ELEMENTS, STAMP
 
-__all__ = ["SURFACE_CURRENT"]
-
 GOLD: dict[str, Any] = {"kind": "electrical_conductor", "resistivity": "22 nohm m"}
 BRONZE: dict[str, Any] = {"kind": "electrical_conductor", "resistivity": "110 nohm m"}
 PLATED: dict[str, Any] = {"kind": "plated", "plating": GOLD, "thickness": "2 um", "on": BRONZE}

@@ -6,8 +6,6 @@ from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedCo
 from winkler.study.chapters.maps.pressed_maps import PRESSED
 from winkler.study.chapters.rough import ELEMENTS, STAMP
 
-__all__ = ["SURFACE_WEAR"]
-
 SLID = {
     **PRESSED,
     "topography": {**STAMP, "shape": [32, 32], "seed": 1},

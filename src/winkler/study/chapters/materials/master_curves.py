@@ -7,8 +7,6 @@ from typing import Any
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.kind import kind
 
-__all__ = ["MASTER_CURVES"]
-
 SPECTRUM = Equation(
     "All sweeps are those of one spectrum of relaxation times, whose moduli are positive and change smoothly from one "
     "time to the next",

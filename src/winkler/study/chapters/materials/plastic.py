@@ -6,8 +6,6 @@ from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedCo
 from winkler.study.chapters.kind import kind
 from winkler.study.chapters.normal import STRONG, normal_formulas
 
-__all__ = ["PLASTIC", "YIELDING"]
-
 UP = (5, 10, 20, 50, 100, 150, 200, 250, 300, 350, 400, 450, 500)
 """Forces up to the greatest [N]."""
 

@@ -7,8 +7,6 @@ from typing import Any
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.kind import kind
 
-__all__ = ["POROELASTIC"]
-
 FIRST = Equation(
     "At first the liquid stays, and the body is incompressible; F₁ is the force at a modulus of one",
     r"F_0 = 4G\,F_1(d)",

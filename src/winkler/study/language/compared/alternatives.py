@@ -24,8 +24,6 @@ from typing import Any
 from winkler.study.language.fit_study import Alternative, FitStudy
 from winkler.values.errors import InvalidInput, WinklerError
 
-__all__ = ["alternatives"]
-
 MOST_MODELS = 20
 FREE = "free"
 

@@ -11,8 +11,6 @@ from winkler.study.language.schema import MISSING
 from winkler.study.language.study import Expectation
 from winkler.values.errors import InvalidInput
 
-__all__ = ["expectation", "expectations"]
-
 OPTIONAL_KEYS = ("unit", "scale", *PLACE_KEYS)
 """Keys of ``[[expect]]`` that may be left out."""
 

@@ -16,8 +16,6 @@ from winkler.study.language.study import named
 from winkler.values.errors import InvalidInput, suggest
 from winkler.values.vocabulary import GLOSSARY, own_word
 
-__all__ = ["solution_types", "unit_of_quantity"]
-
 
 @functools.cache
 def solution_types(problem: type) -> tuple[type, ...]:

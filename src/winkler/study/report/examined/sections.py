@@ -30,8 +30,6 @@ from winkler.values.errors import WinklerError
 from winkler.values.readable import with_unit
 from winkler.values.vocabulary import Word
 
-__all__ = ["further_figures", "further_files", "further_section"]
-
 MOST_DRAWN = 4
 """Curves of which depths and models are drawn."""
 MOST_ROWS = 40

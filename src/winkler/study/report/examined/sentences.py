@@ -19,8 +19,6 @@ from winkler.study.language.fit_study import Free
 from winkler.values.errors import InvalidInput
 from winkler.values.readable import with_unit
 
-__all__ = ["further_sentences", "groups_of", "population_of"]
-
 FEWEST_TOGETHER = 3
 """Curves from which a mean is stated."""
 MOST_NAMES = 5

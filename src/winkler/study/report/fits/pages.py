@@ -20,8 +20,6 @@ from winkler.study.report.markup import safe, section, table
 from winkler.values.errors import WinklerError
 from winkler.values.readable import with_unit
 
-__all__ = ["PAGES", "curve_facts", "curve_pages", "noise_figure"]
-
 PAGES = "pages"
 """Folder of the pages."""
 

@@ -16,8 +16,6 @@ from winkler.problems.normal.validity import shape_notes
 from winkler.values.readable import with_unit
 from winkler.values.validity import Assumption, Note, Standing, worst_note
 
-__all__ = ["ADVICE", "Doubt", "load_within", "worst_doubt"]
-
 ADVICE = {
     Assumption.RESPONSE: "allow for this error",
     Assumption.SHAPE: "press less deep, or give the shape as far as it was measured",

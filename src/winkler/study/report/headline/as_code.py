@@ -18,8 +18,6 @@ from winkler.study.language.designs import Crossed
 from winkler.study.language.fit_study import FitStudy
 from winkler.study.language.study import Study
 
-__all__ = ["command_text", "python_text"]
-
 MOST_NUMBERS = 400
 """Numbers of an array that are written out; a study with larger ones is read from its file."""
 WIDTH = 100

@@ -23,12 +23,10 @@ from winkler.media.offers import LayerStack, offers
 from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.normal.strong_parts import StrongPart, solid_parts, strong_parts
-from winkler.study.batch.outcome import SolvedPoint
+from winkler.study.batch.points import SolvedPoint
 from winkler.study.report.headline.shown_contact import medium_of, stressed_contact
 from winkler.values.errors import OutsideValidity, WinklerError
 from winkler.values.readable import with_unit
-
-__all__ = ["MEASURES", "MOST_PIXELS", "ElasticState", "elastic_state", "pressed_map"]
 
 SAME_WIDTH = 1e-6
 """Relative difference of half-widths up to which a strip is the elastic one."""

@@ -13,8 +13,6 @@ from winkler.study.report.headline.shown_contact import shown_point
 from winkler.values.readable import with_unit
 from winkler.values.vocabulary import word
 
-__all__ = ["LOOP_HEADS", "LoopRow", "loop_rows", "loops_title"]
-
 MOST_LOOPS = 24
 LOSSES = ("loss_per_cycle", "loss_per_cycle_per_length")
 LOOP_HEADS = ("points of the path", "loss per cycle", "secant stiffness", "loss factor")

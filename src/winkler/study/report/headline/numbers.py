@@ -15,8 +15,6 @@ from winkler.study.report.describe import inputs, settings_text
 from winkler.values.readable import name_in_words, with_unit
 from winkler.values.vocabulary import Word
 
-__all__ = ["ALIKE", "SoughtNumber", "as_share", "numbers_named", "sought_numbers"]
-
 FAR = 1e3
 """Ratio of two numbers of a sentence from which on each has a unit of its own."""
 ALIKE = 1e-3

@@ -18,7 +18,6 @@ from winkler.values.validity import in_words as trust_in_words
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["laid_out", "one_page"]
 
 A4 = (8.27, 11.69)
 """Width and height [inch]."""

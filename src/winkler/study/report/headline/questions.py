@@ -17,8 +17,6 @@ from winkler.study.batch.outcome import Outcome
 from winkler.values.readable import with_unit
 from winkler.values.vocabulary import GLOSSARY, own_word
 
-__all__ = ["questions_of"]
-
 
 class Unlikely(NamedTuple):
     """Numbers of one kind that are hardly meant.

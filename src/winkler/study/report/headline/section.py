@@ -32,8 +32,6 @@ from winkler.values.errors import WinklerError
 from winkler.values.readable import with_readable_numbers, with_unit
 from winkler.values.validity import Assumption, Standing
 
-__all__ = ["doubt_line", "doubt_of", "headline", "headline_section"]
-
 MOST_POINTS = 24
 """Points of a sweep up to which all of them are compared with their strength."""
 VON_MISES = r"\sigma_{vM}"

@@ -11,14 +11,13 @@ import numpy as np
 from winkler.loading.loads import Depth
 from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.study.batch.outcome import Outcome, SolvedPoint
+from winkler.study.batch.outcome import Outcome
+from winkler.study.batch.points import SolvedPoint
 from winkler.study.chapters.answer import PicturedContact as Shows
 from winkler.study.chapters.contents import answer_of
 
 if TYPE_CHECKING:
     from winkler.plot.method import Contact
-
-__all__ = ["medium_of", "most_pressed", "shown_contact", "shown_point", "stressed_contact"]
 
 
 def shown_point(outcome: Outcome) -> SolvedPoint:

@@ -18,8 +18,8 @@ import numpy as np
 
 from winkler.media.halfspace import HalfSpace
 from winkler.numerics.types import Array
-from winkler.study.batch.outcome import Outcome, SolvedPoint, answers_of
-from winkler.study.batch.points import sides_of_map
+from winkler.study.batch.outcome import Outcome, answers_of
+from winkler.study.batch.points import SolvedPoint, sides_of_map
 from winkler.study.chapters.contents import answer_of
 from winkler.study.report.describe import settings_text
 from winkler.study.report.headline.elastic_state import ElasticState, elastic_state
@@ -34,8 +34,6 @@ from winkler.study.report.headline.shown_contact import (
 from winkler.values.errors import OutsideValidity, WinklerError
 from winkler.values.readable import with_unit
 from winkler.values.vocabulary import GLOSSARY, Word, word
-
-__all__ = ["CALLED", "WORDS", "SummaryNumber", "contact_summary", "numbers_of_contact"]
 
 CALLED: Mapping[str, str] = MappingProxyType(
     {
