@@ -151,7 +151,7 @@ def test_a_kind_is_found_by_its_name_or_by_words(fresh):
     page.wait_for_function(FIRST_SHOWN, arg="seal")
     page.keyboard.press("Control+A")
     page.keyboard.type("oil film thickness")
-    page.get_by_text("winkler does not cover lubricant films; these come nearest.").wait_for()
+    page.get_by_text("winkler does not cover lubricant films.").wait_for()
     page.wait_for_function(FIRST_SHOWN, arg="indentation")
     app_page.shot("not_covered")
     page.keyboard.press("Control+A")

@@ -228,3 +228,13 @@ def test_the_command_line_shows_the_table(capsys):
     shown = capsys.readouterr().out
     assert "J. Phys. Chem. Ref. Data" in shown
     assert 'kind = "named_elastic", name = "copper"' in shown
+
+
+@pytest.mark.parametrize("name", ["silver", "sapphire", "DLC"])
+def test_where_no_source_states_a_range_the_table_says_so(name, capsys):
+    from winkler.cli import main
+
+    figures = wk.material(name).figures
+    assert main(["show", name]) == 0
+    assert capsys.readouterr().out.count("not stated") == sum(figure.spread is None for figure in figures)
+    assert sum(figure.spread is not None for name in NAMES for figure in wk.material(name).figures) >= 160

@@ -17,6 +17,9 @@ from headlines import headline_mistakes
 from legibility import faults
 from report_page import page_mistakes
 
+from winkler.cli.draw import _drawn_value
+from winkler.plot.registered import sheet_of_kind
+from winkler.plot.render import render
 from winkler.study.batch.run import run
 from winkler.study.language.catalogue import CATALOGUE
 from winkler.study.language.reading import parse_study
@@ -70,6 +73,12 @@ def legible(kind: str) -> Iterator[str]:
     for one in figures(kind):
         for drawn in (one.drawing, one.picture):
             yield from (f"{one.name}: {fault}" for fault in (faults(drawn) if drawn is not None else ()))
+
+
+def drawn(kind: str) -> Iterator[str]:
+    """What `winkler draw` makes without a part is a legible picture."""
+    sheet = sheet_of_kind(_drawn_value(shown_point(outcome_of(kind)), "contact", -1))
+    yield from faults(render(sheet))
 
 
 def charts(kind: str) -> Iterator[str]:
@@ -136,9 +145,9 @@ def test_every_kind_answers_states_its_limits_and_is_archived(group):
 @pytest.mark.parametrize("group", marked((), ALL_QUICK[:3]))
 def test_every_kind_is_drawn_and_reported(group):
     """Figures take a second for a kind: most groups are looked at before a release."""
-    wrong = seen(group, legible, charts, whole_page)
+    wrong = seen(group, legible, drawn, charts, whole_page)
     assert wrong == {}, wrong
 
 
 def test_one_kind_is_drawn_and_reported():
-    assert [*legible("tangential"), *charts("tangential"), *whole_page("tangential")] == []
+    assert [*legible("tangential"), *drawn("tangential"), *charts("tangential"), *whole_page("tangential")] == []

@@ -117,6 +117,7 @@ def _drawn_value(answer: Solved, part: str, load: int) -> Any:
     """Return what is drawn: a part of the solved point."""
     from winkler.foundation.footprint import RoundOutline
     from winkler.foundation.measured import MeasuredBed
+    from winkler.plot.registered import is_drawn
     from winkler.study.report.extra_pictures import extra_pictures
     from winkler.values.errors import InvalidInput
 
@@ -147,4 +148,5 @@ def _drawn_value(answer: Solved, part: str, load: int) -> Any:
                 raise InvalidInput(f"draw: the study restores no such fields; add [fields] with {need}.")
             return fields[load]
         case _:
-            return answer.each[load]
+            state = answer.each[load]
+            return state if is_drawn(state) else answer.solution  # states of rolling have no picture of their own

@@ -52,9 +52,9 @@ def one(entry: NamedMaterial) -> None:
     table = terminal.table("quantity", "value", "range", "unit", "source")
     for figure in entry.figures:
         scale = scale_of(GLOSSARY[figure.quantity].unit, figure.number)
-        ends = [f"{end / scale.factor:.3g}" for end in figure.spread or ()]
+        ends = [f"{end / scale.factor:.4g}" for end in figure.spread or ()]
         number = f"{figure.number / scale.factor:.6g}"
-        table.add_row(figure.quantity, number, " to ".join(ends) or "-", scale.unit, figure.source)
+        table.add_row(figure.quantity, number, " to ".join(ends) or "not stated", scale.unit, figure.source)
     out = terminal.console()
     out.print(f"{entry.name}: {entry.sort}, at room temperature")
     out.print(table)

@@ -37,8 +37,10 @@ def _meant(text: str, names: list[str]) -> str:
     near = [hit.name for hit in found.hits if hit.name in names][:3]
     if (meant := mistyped(text, names)) or not near:
         return suggest(text, meant)
-    if found.beyond:
-        return f" (winkler does not cover {found.beyond.what}; nearest come {', '.join(near)})"
+    if (first := found.hits[0]).name not in names:
+        return f" (the {first.group} '{first.name}' may be meant: `{first.command}`)"
+    if found.remark:
+        return f" ({found.remark.rstrip('.')}; nearest come {', '.join(near)})"
     return f" (did you mean {' or '.join(repr(name) for name in near)}?)"
 
 

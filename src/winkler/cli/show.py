@@ -168,7 +168,8 @@ def _search(text: str, *, as_json: bool) -> None:
         found = find(text)
         if not found.hits:
             near = suggest(text, mistyped(text, [*_names(), *material_names()]))
-            raise InvalidInput(f"'{text}' is not known{near}; `winkler show` lists every kind.") from None
+            told = near or " and may not be covered"
+            raise InvalidInput(f"'{text}' is not known{told}; `winkler show` lists every kind.") from None
         if as_json:
             write_json(found.table())
         else:
@@ -182,10 +183,7 @@ def _hits(text: str, found: SearchResult) -> None:
     from winkler.cli import terminal
 
     out = terminal.console()
-    if found.beyond is None:
-        out.print(f"Nearest to '{text}', the best first:")
-    else:
-        out.print(f"winkler does not cover {found.beyond.what}. Nearest to '{text}' are:")
+    out.print(f"{found.remark} Nearest to '{text}', the best first:".lstrip())
     table = terminal.table("group", "kind", "what it is", "shown by")
     for hit in found.hits:
         table.add_row(hit.group, hit.name, hit.meaning, hit.command)

@@ -62,7 +62,8 @@ class TabulatedProperty:
     source : str
         Where it stands.
     spread : tuple of float, optional
-        The least and the greatest value that sources state, or that treatment and composition give.
+        The least and the greatest value that sources state, or that treatment and composition give; None where the
+        source states none.
     """
 
     __words__ = words(
@@ -243,11 +244,13 @@ def _rubber(scale: str, hardness: float) -> NamedMaterial:
 
 def _made(name: str) -> NamedMaterial:
     row, sources = _table()["materials"][name], _table()["sources"]
-    figures = [
-        TabulatedProperty(quantity, content[0], sources[content[1]], tuple(content[2]) if content[2:] else None)
-        for quantity, content in row.items()
-        if quantity not in ("sort", "also")
-    ]
+    figures = []
+    for quantity in [key for key in row if key not in ("sort", "also")]:
+        number, source, *spread = row[quantity]
+        ranged = "; range: " * bool(spread[1:]) + " and ".join(sources[other] for other in spread[1:])
+        figures.append(
+            TabulatedProperty(quantity, number, sources[source] + ranged, tuple(spread[0]) if spread else None)
+        )
     return NamedMaterial(name, row["sort"], tuple(figures))
 
 

@@ -27,6 +27,8 @@ from winkler.values.errors import InvalidInput
 
 LEAST_VARIATION = 1e-3
 """Relative variation of stiffness below which springs are drawn and described as equal."""
+BESIDE_LAYERS = 2.7
+"""Width of the axis of moduli over the greatest modulus: the names of layers stand beside their moduli."""
 MOST_BELOW_LAYERS = 8.0
 """Depth that is drawn of a body below its layers, over the depth of the lowest: a thin coating stays visible."""
 OFFSET_FROM_AXIS = 1e-6
@@ -167,7 +169,7 @@ def makeup_panel(medium: Medium, end: float, radius: float = 0.0) -> Panel:
     stiffest = float(max(np.max(part.young) for part in parts))
     # a law without bounds at the surface: what lies within the upper percent of the depth does not set the scale
     top = float(max(np.max(part.young[part.z >= 0.01 * end], initial=0.0) for part in parts))
-    right = 1.15 * (stiffest if stack else min(stiffest, top))
+    right = BESIDE_LAYERS * stiffest if stack else 1.15 * min(stiffest, top)
     marks: list[Any] = []
     labels = _apart([0.5 * float(part.z[0] + min(part.z[-1], end)) for part in parts], end)
     for place, part in enumerate(parts):
@@ -180,14 +182,16 @@ def makeup_panel(medium: Medium, end: float, radius: float = 0.0) -> Panel:
             marks.append(Line(part.young, part.z, style.INK, width=1.6, blunt=True))
         if part.label:
             look: dict[str, Any] = {"across": "left", "size": 8.0, "boxed": 0.75, "pad": 1.0}
-            marks.append(Text(0.04, labels[place], part.label, framed=(True, False), **look))
+            marks.append(
+                Text(1.08 / BESIDE_LAYERS if stack else 0.04, labels[place], part.label, framed=(True, False), **look)
+            )
     for above, below in zip(parts, parts[1:], strict=False):
         step = np.array([above.young[-1], below.young[0]])
         marks.append(Line(step, np.full(2, below.z[0]), style.INK, width=1.6))
     if 0.0 < radius < end:
         marks.append(Rule(radius, colour=style.RED, width=1.0, dash=style.DASHED))
-        look = {"across": "right", "upright": "bottom", "colour": style.RED, "framed": (True, False)}
-        marks.append(Text(0.97, radius, "$z = a$", **look))
+        look = {"across": "left", "upright": "bottom", "colour": style.RED, "framed": (True, False)}
+        marks.append(Text(0.03, radius, "$z = a$", **look))
     across = PanelAxis.of(series("young", np.zeros(1)), scale_of("Pa", [stiffest]), low=0.0, high=right)
     upright = PanelAxis.of(series("z", np.zeros(1)), scale_of("m", [end]), low=end, high=0.0)
     return Panel(tuple(marks), across, upright, grid="")

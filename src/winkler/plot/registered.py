@@ -30,15 +30,21 @@ def everything() -> _Everything:
     return _Everything(draw, film, sheet_of)
 
 
-def sheet_of_kind(item: Any) -> Sheet:
-    """Return the panels that show `item`; of the pictures those are loaded that name its class, else all."""
+def is_drawn(item: Any) -> bool:
+    """Return whether the class of `item` has a picture of its own; those are loaded that name it."""
     for kind in type(item).__mro__[:-1]:
         if kind not in sheet_of.registry:
             for module in modules_naming(kind):
                 import_module(module)
         if kind in sheet_of.registry:
-            return sheet_of(item)
-    everything()
+            return True
+    return False
+
+
+def sheet_of_kind(item: Any) -> Sheet:
+    """Return the panels that show `item`; of the pictures those are loaded that name its class, else all."""
+    if not is_drawn(item):
+        everything()
     return sheet_of(item)
 
 

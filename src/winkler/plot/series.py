@@ -44,6 +44,8 @@ HEADLINE_SYMBOLS = {
     "shear_force": ("F_x", "N"),
     "depth": ("d", "m"),
     "shift": ("u_x", "m"),
+    "torque": ("M_z", "N m"),
+    "angle": (r"\phi", "rad"),
     "radius": ("a", "m"),
 }
 

@@ -49,13 +49,15 @@ def test_words_that_were_new_when_they_were_asked(language, share, least):
     mended the table, 91, 95 and 92 % of it were found; since then all rounds have been read.
     Rounds 9 and 10, at first sight: 94 % of 50 English and 97 % of 32 German and French ones; of what is not covered,
     with round 11, 62 % of 47, which has no end: what is missing there is shown beside its nearest neighbours.
+    Rounds 12 and 13: English 50 of 50 and 28 of 30, German and French 33 of 34 and 27 of 30; of what is not covered
+    46 of 60, and, once words that no entry has were named, 44 of 60, two of them with a neighbour far away.
     The shares below are those of today, of words that have been seen: what a new word meets is nearer to the former.
     """
     asked = [one for one in asked_later() if language == ("beyond" if one[3] == ["beyond"] else one[1])]
     missed = []
     for _, _, query, answers in asked:
         found = find(query, most=FIRST)
-        names = {"beyond"} if found.beyond else {hit.name for hit in found.hits}
+        names = {hit.name for hit in found.hits} | ({"beyond"} if found.remark or not found.hits else set())
         if not names & set(answers):
             missed.append(query)
     assert len(asked) >= least
@@ -155,7 +157,7 @@ def test_beside_what_is_not_covered_the_other_words_come_first(words, beyond, fi
 
 @pytest.mark.parametrize("nonsense", ["", "   ", "qqqqxx", "?!", "der die das", "\x00", "x" * 10_000])
 def test_nonsense_finds_nothing(nonsense):
-    assert find(nonsense) == ((), None)
+    assert find(nonsense)[:2] == ((), None)
 
 
 @pytest.mark.parametrize("word", ["gear", "wheel-rail", "bolt"])

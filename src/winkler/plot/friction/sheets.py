@@ -206,7 +206,7 @@ def ring_panel(state: Any, name: str) -> Panel:
     low = -top if np.nanmin(traction) < -0.02 * top else 0.0
     across = PanelAxis.of(series("r", r), scale_of("m", [radius]), low=0.0, high=1.05 * radius)
     of, high = series("traction", traction), 1.25 * top if top > 0.0 else scale.factor
-    return Panel(marks, across, PanelAxis.of(of, scale, low=1.05 * low, high=high), legend="upper left")
+    return Panel(marks, across, PanelAxis.of(of, scale, low=1.05 * low, high=high), legend="best")
 
 
 def _coefficient(law: Any) -> float:

@@ -49,7 +49,7 @@ def dragged_panel(sheared: ShearedSprings, stick: float, extent: float, frame: S
         springs, pressed.bed, depth, frame or SpringFrame(extent, depth, -2.4 * depth, 1.3 * depth), shift
     )
     names = (Line(NOTHING, NOTHING, style.GREEN, name="sticks"), Line(NOTHING, NOTHING, style.RED, name="slides"))
-    magnification = (note(f"sideways {_round(lean)} times", "upper right"),) if greatest > 0.0 else ()
+    magnification = (note(f"sideways {_round(lean)} times", "upper centre"),) if greatest > 0.0 else ()
     return panel.plus(*names, *magnification, legend="upper left")
 
 

@@ -42,6 +42,8 @@ LENGTHS, POINTS_ALONG = 3.0, 121
 """Places along the motion: how far they reach over half the contact, and their number."""
 SPEEDS, DECADES_BEYOND = 25, 1.5
 """Number of speeds of the flash temperature curve, and decades below and above the requested one."""
+SMALL = 0.1
+"""Share of the temperature of bodies at rest below which the curve has a logarithmic axis."""
 LEVELS = 12
 ESTIMATES = (
     ("stationary_temperature", "at rest", style.GREEN, style.DASHES[1]),
@@ -150,7 +152,11 @@ def _speeds_panel(item: FrictionHeatingSolution) -> Panel:
     requested = float(item.flash_temperature) / float(item.stationary_temperature)
     marks.append(points(sliding, requested, name="requested", order=5.0))
     across = PanelAxis("speed of sliding $v$", middle_scale("m/s", speed), log=True)
-    upright = PanelAxis("over that of bodies at rest [-]", low=0.0, high=1.7)
+    least = float(np.min(curve.flash_temperature / rest))
+    ends: dict[str, Any] = (
+        {"low": 0.0, "high": 1.7} if least > SMALL else {"low": 0.5 * least, "high": 20.0, "log": True}
+    )
+    upright = PanelAxis("over that of bodies at rest [-]", **ends)
     return Panel(tuple(marks), across, upright, legend="upper right", columns=2)
 
 

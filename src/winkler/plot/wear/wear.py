@@ -32,7 +32,7 @@ RADII_DRAWN = 1.35
 """Extent of the pictures in contact radii."""
 POINTS = 400
 PRESSURE_CEILING = 3.0
-"""Greatest drawn pressure over its mean; at the edge of a core or a punch it is infinite."""
+"""Greatest drawn pressure over that below which half of the load is carried; at a core or a punch it is infinite."""
 
 
 @without_extent(FrettingSolution, LineFrettingSolution)
@@ -185,6 +185,15 @@ def _chosen(states: tuple[WornState, ...]) -> list[int]:
     return sorted({int(np.argmin(np.abs(volumes - each))) for each in volumes_wanted})
 
 
+def _bearing(state: WornState) -> float:
+    """Return the pressure below which half of the load is carried [Pa]."""
+    pressure = np.where(np.isfinite(state.pressure), state.pressure, 0.0)
+    wide = np.gradient(state.nodes) * (1.0 if isinstance(state, LineWearState) else state.nodes)
+    rising = np.argsort(pressure)
+    carried = np.cumsum((pressure * wide)[rising])
+    return float(pressure[rising][np.searchsorted(carried, 0.5 * carried[-1])])
+
+
 def state_panels(states: tuple[WornState, ...], names: list[str], what: str) -> tuple[Panel, ...]:
     """Return profiles, worn depths and pressures of a few states, from pale to dark.
 
@@ -200,10 +209,10 @@ def state_panels(states: tuple[WornState, ...], names: list[str], what: str) -> 
     chosen_states = [states[index] for index in chosen]
     reach = RADII_DRAWN * max(state.edge for state in chosen_states)
     within = [state.nodes <= reach for state in chosen_states]
-    mean = max(state.mean_pressure for state in chosen_states)
+    usual = max(map(_bearing, chosen_states))
     shades = [style.shade(float(share)) for share in np.linspace(0.25, 1.0, len(chosen))]
     panels = []
-    for name, most in (("height", np.inf), ("worn", np.inf), ("pressure", PRESSURE_CEILING * mean)):
+    for name, most in (("height", np.inf), ("worn", np.inf), ("pressure", PRESSURE_CEILING * usual)):
         lines = [
             Line(state.nodes[inside], np.asarray(getattr(state, name))[inside], colour, name=names[index])
             for state, inside, colour, index in zip(chosen_states, within, shades, chosen, strict=True)
@@ -260,7 +269,7 @@ def moment_panels(states: Sequence[WornState], moment: int) -> tuple[Panel, Pane
         Line(last.nodes, last.worn, name="in the end", **thin),
         Line(now.nodes, now.worn, style.RED, name="now"),
     ]
-    most = PRESSURE_CEILING * max(one.mean_pressure for one in states)
+    most = PRESSURE_CEILING * max(map(_bearing, states))
     top = max(float(np.max(np.minimum(one.pressure, most))) for one in states)
     pressure = [
         Line(first.nodes, np.minimum(first.pressure, most), name=start, dash=style.DASHES[1], **thin),

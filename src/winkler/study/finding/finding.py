@@ -54,6 +54,9 @@ ASKED = ("problem", "medium", "profile")
 DECIDES = 2.0
 """Factor of what is not covered, where a typed word belongs to such a neighbour alone."""
 
+FITS = 0.45
+"""Share of what its words could tell that an entry reaches at least, if it is to be promised without a doubt."""
+
 PROMISED = 0.45
 """Share of the best score down to which others are shown."""
 
@@ -117,15 +120,31 @@ class SearchResult(NamedTuple):
         The best first.
     beyond
         What was asked for and is not covered, or None; the hits are then what the other words mean, and the nearest.
+    unknown
+        Words that no entry has.
+    fits
+        Whether the best hit has most of the other words.
     """
 
     hits: tuple[Hit, ...]
     beyond: Beyond | None
+    unknown: tuple[str, ...] = ()
+    fits: bool = True
+
+    @property
+    def remark(self) -> str:
+        """What is not covered, or may not be, in one sentence; empty where all words are known."""
+        if self.beyond:
+            return f"winkler does not cover {self.beyond.what}."
+        if self.unknown:
+            return f"No entry of winkler has the word {' or '.join(map(repr, self.unknown))}; it may not be covered."
+        return "" if self.fits else "No entry of winkler has most of these words; the question may not be covered."
 
     def table(self) -> dict[str, Any]:
         """Return it as data for JSON."""
         return {
             "not_covered": self.beyond.what if self.beyond else None,
+            "unknown": self.unknown,
             "found": [{**hit._asdict(), "meaning": hit.meaning} for hit in self.hits],
         }
 
@@ -305,8 +324,18 @@ def _asked(text: str) -> list[str]:
     found: list[str] = []
     for token in _tokens(text):
         parts = (token,) if token in known else _parts(token)
-        found += [each for part in parts for each in (part, _stem(part)) if each in known] or [token]
+        found += [part if part in known else _stem(part) for part in parts] or [token]
     return list(dict.fromkeys(found))
+
+
+def _unknown(text: str) -> tuple[str, ...]:
+    """Return the words of a question of which nothing is known, neither a part nor what they may become."""
+    index = _index()
+    told = {word: _asked(word) for word in re.findall(r"[^\W\d_][\w-]+", text)}
+    for word, tokens in list(told.items()):
+        if not tokens or any(index.alike(each) or any(one.startswith(each) for one in index.scores) for each in tokens):
+            del told[word]
+    return tuple(told)
 
 
 def _public(text: str) -> list[Hit]:
@@ -374,7 +403,9 @@ def find(text: str, *, most: int = 5) -> SearchResult:
     names = [name for name in ranked if name in index.hits and totals[name] >= least]
     names.sort(key=lambda name: index.titles[name] != _tokens(text))  # what is asked for by its name comes first
     found = dict.fromkeys([*public, *(index.hits[name] for name in names)])
-    return SearchResult(tuple(found)[:most], None)
+    could = sum(max(best.values(), default=0.0) for best in each)
+    fits = bool(public) or totals[ranked[0]] >= FITS * could
+    return SearchResult(tuple(found)[:most], None, () if public else _unknown(text), fits)
 
 
 def materials_meant(word: str) -> tuple[str, ...]:

@@ -25,10 +25,11 @@ export default {
       this.keep(text.toLowerCase().split(/\s+/), []);
       if (text.length > 1) this.$emit("sought", text);
     },
-    // what the app found for a text: labels, the best first, a sentence on what is not covered, and one on other hits
-    found(text, labels, beyond, also) {
+    // what the app found for a text: labels, the best first, a sentence on what is not covered, one on other hits, and
+    // whether the labels are neighbours alone
+    found(text, labels, remark, also, beyond) {
       if (text !== this.input?.value.trim()) return; // more was typed by the time
-      this.said = [beyond, also].filter(Boolean).join(" ");
+      this.said = [remark, also].filter(Boolean).join(" ");
       this.keep(beyond ? null : text.toLowerCase().split(/\s+/), labels);
     },
     // show options with these labels first, then those with all of these words

@@ -48,12 +48,12 @@ class FindField(ui.element, component="find.js"):
 
     def _answer(self, text: str) -> None:
         found = find(text)
-        beyond = f"winkler does not cover {found.beyond.what}; these come nearest." if found.beyond else ""
         others = [
             f"{_in_words(hit.name)} (a {hit.group})" for hit in found.hits if hit.group not in ("problem", "python")
         ]
         also = f"No problem, but meant as well: {', '.join(others)}." if others else ""
-        self.run_method("found", text, [_in_words(hit.name) for hit in found.hits], beyond, also)
+        labels = [_in_words(hit.name) for hit in found.hits]
+        self.run_method("found", text, labels, found.remark, also, found.beyond is not None)
 
 
 class Question:
