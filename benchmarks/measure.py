@@ -45,6 +45,8 @@ from winkler.fitting.fit import fit
 from winkler.study.inspection.inspect import inspect_file
 
 ROUNDS = 5
+FITTED = ("fit", "indentation", "calibration")
+"""Sections of a study that `winkler fit` takes, and not `winkler run`."""
 LONG = 5.0
 """Processor time of a study from which on it is named [s]."""
 SIDES = (256, 512, 1024, 2048)
@@ -187,7 +189,9 @@ def studies(folder: Path) -> str:
     paths = sorted((PAGE.parents[1] / "examples" / "studies").rglob("*.toml"))
     times = {}
     for path in paths:
-        words = ["-m", "winkler", "run", str(path), "--quiet", "--overwrite", "--output", "results"]
+        text = path.read_text(encoding="utf-8")
+        command = "fit" if any(f"\n[{section}]" in text for section in FITTED) else "run"
+        words = ["-m", "winkler", command, str(path), "--quiet", "--overwrite", "--output", "results"]
         times[path.stem] = [of_a_process(words, folder) for _ in range(2)][1]
     long = sorted((name for name in times if times[name] > LONG), key=lambda name: -times[name])
     over = ", ".join(f"{name} {in_words(times[name])}" for name in long)

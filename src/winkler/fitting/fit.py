@@ -216,8 +216,12 @@ def _fit(
     if not isinstance(found, Fit):
         return found
     jumps = of_slow_jumps(task.curve.count - found.curve.count)
-    further = across_pop_ins(curve, found.curve, found.touched)
-    return dataclasses.replace(found, flags=(*found.flags, *jumps, *further))
+    return _doubted(found, [*jumps, *across_pop_ins(curve, found.curve, found.touched)])
+
+
+def _doubted(found: AnyFit, further: list[Flag]) -> AnyFit:
+    """Return a fit with further doubts."""
+    return dataclasses.replace(found, flags=(*found.flags, *further)) if further else found
 
 
 def _deviation(curve: ForceCurve, noise: Quantity, unit: str) -> Array:
@@ -290,7 +294,7 @@ def _with_errors(task: FitTask, best: Generalised, noise: float, flags: tuple[Fl
         both = ("approach", "retract") if isinstance(result, Fit) else ("approach",)
         unseen = [*without_baseline(result.curve, result.touched, both)]
         further += unseen or unseen_baseline(task, coordinates, prediction, best.noise.effective_count)
-    return dataclasses.replace(result, flags=(*result.flags, *further))
+    return _doubted(result, further)
 
 
 LEAST_ODDS = 20.0

@@ -23,6 +23,8 @@ __all__ = ["Generalised", "generalised", "likeliest"]
 MOST_STEPS = 6
 SETTLED_ERRORS = 0.02
 """Greatest last step in standard errors."""
+STRAIGHT = 0.1
+"""Part of the settled step by which a prediction may leave its tangent, in parts of what the step changes."""
 NEAR_ERRORS = 0.3
 """Greatest distance from a known optimum, in standard errors, at which a search that began elsewhere has found it."""
 MOST_HALVINGS = 4
@@ -171,7 +173,7 @@ def _stepped(
     """Return the fit after a step that does not make the residuals less likely, halved where needed."""
     for _ in range(MOST_HALVINGS):
         try:
-            further = _at(task, np.clip(here.coordinates + step, low, high))
+            further = _at(task, np.clip(here.coordinates + step, low, high), here)
         except OutsideValidity:
             search.check()
         else:
@@ -195,8 +197,17 @@ def _is_near(here: Generalised, known: Generalised) -> bool:
     return bool(apart.max() <= NEAR_ERRORS) and np.array_equal(known.prediction.touched, here.prediction.touched)
 
 
-def _at(task: FitTask, coordinates: Array) -> Generalised:
+def _at(task: FitTask, coordinates: Array, before: Generalised | None = None) -> Generalised:
+    """Return the fit at coordinates; behind a whole step, along which the prediction is straight, the noise stays.
+
+    The likelihood of each candidate is that at its optimum, and a straight step does not move this.
+    """
     prediction = task.predicted(coordinates)
-    jacobian = task.instrument(coordinates, prediction)
     residuals = (task.measured - prediction.fitted) * task.weights
+    if before is not None:
+        known, bent = before.noise, residuals - before.residuals + before.noise.followed
+        limit = min(float(np.sqrt(known.spectrum.min())), STRAIGHT * float(np.linalg.norm(known.followed)))
+        if np.linalg.norm(bent) <= SETTLED_ERRORS * limit:
+            return Generalised(coordinates, prediction, residuals, known.behind_its_step)
+    jacobian = task.instrument(coordinates, prediction)
     return Generalised(coordinates, prediction, residuals, task.noise_of(residuals, jacobian))

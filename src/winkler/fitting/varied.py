@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -47,12 +48,12 @@ class Parameter(NamedTuple):
     def inward(self, number: float) -> float:
         """Return the varied coordinate."""
         if self.logarithmic:
-            return float(np.log(number)) if number > 0.0 else -np.inf
+            return math.log(number) if number > 0.0 else -np.inf
         return number / self.scale
 
     def outward(self, coordinate: float) -> float:
         """Return the number at a coordinate."""
-        return float(np.exp(coordinate)) if self.logarithmic else coordinate * self.scale
+        return math.exp(coordinate) if self.logarithmic else coordinate * self.scale
 
     def change(self, number: float) -> float:
         """Return the derivative of the number with respect to the coordinate."""
@@ -60,7 +61,7 @@ class Parameter(NamedTuple):
 
     def inside(self, number: float) -> float:
         """Return the nearest number within the bounds."""
-        return float(np.clip(number, self.low, self.high))
+        return min(max(number, self.low), self.high)
 
 
 def parameters_of(

@@ -52,7 +52,8 @@ def shaped(result: Quantity, shape: tuple[int, ...] | None = None) -> N:  # type
     shape : tuple of int, optional
         That of the question.
     """
-    numbers = np.asarray(result) if shape is None else np.reshape(result, shape)
+    numbers = np.asarray(result)
+    numbers = numbers if shape is None or numbers.shape == shape else np.reshape(numbers, shape)
     return float(numbers) if numbers.ndim == 0 else numbers  # type: ignore[return-value]
 
 

@@ -47,7 +47,12 @@ def words(**entries: tuple[str, str | None, str]) -> Mapping[str, Word]:
 
 
 def frozen_array(array: Any) -> np.ndarray:
-    """Return a read-only float (or bool, complex, text) copy of `array`; what is masked in it is nan."""
+    """Return a read-only float (or bool, complex, text) copy of `array`; what is masked in it is nan.
+
+    An array of such numbers that nobody writes to, because it is frozen already, is returned as it is.
+    """
+    if type(array) is np.ndarray and array.base is None and not array.flags.writeable and array.dtype.kind in "fbcU":
+        return array
     masked = hasattr(array, "mask") and isinstance(array, np.ma.MaskedArray)  # numpy loads its parts on demand
     if masked and array.dtype.kind in "iuf":
         array = np.ma.filled(array.astype(float), np.nan)  # a number below a mask is none

@@ -125,9 +125,9 @@ class ForceCurve:
                 raise InvalidInput(
                     f"ForceCurve: position has {self.position.size} points, {word} has {count}; give one for each."
                 )
-        if not np.all(np.isin(self.direction, (-1.0, 0.0, 1.0))):
+        if not np.array_equal(self.direction, np.sign(self.direction)):
             raise InvalidInput("ForceCurve: direction holds other numbers than +1 (in), 0 (held) and -1 (out).")
-        if not np.all(np.isin(self.marks, (0.0, 1.0, 2.0, 3.0, 4.0))):
+        if self.marks.size and not np.all(np.isin(self.marks, (0.0, 1.0, 2.0, 3.0, 4.0))):
             raise InvalidInput("ForceCurve: marks holds other numbers than 0 to 4; state events by with_events.")
         if self.noise_spectrum not in NOISE_SPECTRA:
             raise InvalidInput(f"ForceCurve: noise_spectrum is {self.noise_spectrum!r}; give 'unknown' or 'white'.")

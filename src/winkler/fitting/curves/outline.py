@@ -27,7 +27,7 @@ MOST_SPLITS, BEHIND_DEGREE = 100, 3
 LEAST_SLOPE_TO_ERROR, LEAST_FREE_SHARE = 4.0, 0.1
 """Least slope of a baseline over its standard error, and least part of the points on it."""
 ROUNDING = 1e-15
-"""Least eigenvalue of sums of powers over the greatest; of less, polynomials are not determined."""
+"""What is added to sums of powers over their trace: polynomials that few points do not determine explain no more."""
 MOST_SLOPE_SHARE = 0.3
 """Greatest slope of a baseline relative to the mean slope in contact."""
 
@@ -133,11 +133,10 @@ def _first_slope(positions: bytes, forces: bytes) -> float:
 def _explained(sums: Array, right: Array, degree: int) -> Array:
     """Return the squares explained by polynomials ``(m,)``, from sums of powers and of their products with levels."""
     size = degree + 1
-    order = np.add.outer(np.arange(size), np.arange(size))
-    values, vectors = np.linalg.eigh(sums[:, order])
-    along = np.einsum("mji,mj->mi", vectors, right[:, :size])
-    determined = values > ROUNDING * values[:, -1:]
-    return np.asarray(np.sum(np.divide(along**2, values, out=np.zeros_like(along), where=determined), axis=1))
+    matrices = sums[:, np.add.outer(np.arange(size), np.arange(size))]
+    least = ROUNDING * np.trace(matrices, axis1=1, axis2=2)[:, None, None] * np.eye(size)
+    solved = np.linalg.solve(matrices + least, right[:, :size, None])
+    return np.asarray(np.sum(right[:, :size] * solved[:, :, 0], axis=1))
 
 
 def far_force(force: Array) -> float:

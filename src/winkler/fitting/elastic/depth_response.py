@@ -52,9 +52,9 @@ class DepthTable(NamedTuple):
         """Return F [N] and dF/dd [N/m] at depths above zero."""
         lowest = float(self.edges[0])
         ratio = depth / lowest
-        octave = np.clip(np.frexp(ratio)[1] - 1, 0, OCTAVES - 1)
+        octave = np.minimum(np.maximum(np.frexp(ratio)[1] - 1, 0), OCTAVES - 1)
         share = (np.ldexp(ratio, -octave) - 1.0) * IN_OCTAVE
-        inner = np.clip(share.astype(int), 0, IN_OCTAVE - 1)
+        inner = np.minimum(np.maximum(share.astype(int), 0), IN_OCTAVE - 1)
         t = 2.0 * (share - inner) - 1.0
         rows = self.series.take(octave * IN_OCTAVE + inner, axis=1)
         value, slope = rows[-1].copy(), np.zeros(depth.shape)

@@ -98,6 +98,13 @@ class NoiseEstimate(NamedTuple):
     followed: Array
     mixture: Mixture
 
+    @property
+    def behind_its_step(self) -> NoiseEstimate:
+        """The same noise seen from where the step leads."""
+        none, mixture = np.zeros_like(self.step), self.mixture
+        moved = Mixture(mixture.shares, mixture.steps - self.step, mixture.covariances)
+        return self._replace(step=none, followed=np.zeros_like(self.followed), mixture=moved)
+
 
 class _Solutions(NamedTuple):
     """Of l levels and m candidates: logarithms of restricted and plain likelihood, estimates, variances, factors.

@@ -66,20 +66,21 @@ class Mixture(_MixtureFields):
         order = np.argsort(self.shares)
         counted = order[np.cumsum(self.shares[order]) > UNCOUNTED]
         shares, deviations = self.shares[counted], np.sqrt(np.diag(self.covariance))
-        apart = ((self.steps[counted] - self.mean) / deviations)[:, :, None]
-        errors = (np.sqrt(np.einsum("mii->mi", self.covariances[counted])) / deviations)[:, :, None]
+        errors = (np.sqrt(np.einsum("mii->im", self.covariances[counted])) / deviations[:, None])[:, None]
+        apart = ((self.steps[counted] - self.mean) / deviations).T[:, None] / errors
         outside = 2.0 * ndtr(-np.array(SIGMAS))
-        wanted = 1.0 - outside
         low, high = np.zeros((deviations.size, len(SIGMAS))), np.full((deviations.size, len(SIGMAS)), FARTHEST)
         width = np.broadcast_to(np.array(SIGMAS), low.shape)
         for _ in range(MOST_STEPS):
-            above, below = (np.clip((end - apart) / errors, -FAR, FAR) for end in (width, -width))
-            missing = wanted - np.tensordot(shares, ndtr(above) - ndtr(below), 1)
-            density = np.tensordot(shares, (np.exp(-0.5 * above**2) + np.exp(-0.5 * below**2)) / errors, 1)
-            low, high = np.where(missing > 0.0, width, low), np.where(missing > 0.0, high, width)
+            wide = width[:, :, None] / errors
+            ends = np.clip([apart - wide, -apart - wide], -FAR, FAR)
+            beyond = ndtr(ends).sum(axis=0) @ shares
+            density = (np.exp(-0.5 * ends**2).sum(axis=0) / errors) @ shares
+            short = beyond > outside
+            low, high = np.where(short, width, low), np.where(short, high, width)
             # the logarithm of what lies beyond is nearly straight far out, and curved a little near the middle
-            beyond = (missing + outside) * np.log(np.maximum((missing + outside) / outside, LEAST_BEYOND))
-            step = np.divide(beyond * np.sqrt(2.0 * np.pi), density, out=np.full_like(low, np.inf), where=density > 0.0)
+            rest = beyond * np.log(np.maximum(beyond / outside, LEAST_BEYOND))
+            step = np.divide(rest * np.sqrt(2.0 * np.pi), density, out=np.full_like(low, np.inf), where=density > 0.0)
             inside = (width + step >= low) & (width + step <= high)
             step = np.where(inside, step, 0.5 * (low + high) - width)
             width = width + step

@@ -18,7 +18,7 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -31,6 +31,7 @@ from winkler.media.interior import shear_field
 from winkler.media.interior.peak import greatest
 from winkler.media.interior.tensor import Measure, Tensor, von_mises
 from winkler.media.offers import PressedWaves, offers
+from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
 from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
 from winkler.problems.normal.strong_parts import StrongPart
@@ -179,7 +180,7 @@ def stress_in_plane(
     """
     medium, springs = pressed.bed.medium, pressed.blunted
     with np.errstate(invalid="ignore"):  # stresses are infinite in points of the surface
-        across = medium.interior(springs, np.abs(x), z, below=part.first)
+        across = _across(springs, part.first, np.abs(x).tobytes(), z.tobytes())
     if friction == 0.0:
         none = np.zeros(x.shape)
         alone = (across.radial_stress, across.hoop_stress, across.axial_stress, none, across.shear_stress, none)
@@ -202,6 +203,13 @@ def stress_in_plane(
             friction * along.yz_stress,
         )
     )
+
+
+@functools.lru_cache(maxsize=16)
+def _across(springs: Any, first: bool, r: bytes, z: bytes) -> BodyField:
+    """Return the stresses of the pressure alone in places ``(n,)``; all kinds of stress are sought from one grid on."""
+    field: BodyField = springs.bed.medium.interior(springs, np.frombuffer(r), np.frombuffer(z), below=first)
+    return field
 
 
 def _is_ball(pressed: PressedSprings) -> bool:

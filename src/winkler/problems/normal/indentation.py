@@ -94,12 +94,15 @@ class Indentation(PerLoad[Q]):
                 solver = at_force
             case Radius(prescribed):
                 solver = at_radius
-        load = np.atleast_1d(np.asarray(prescribed, dtype=float)).ravel()
+        load = np.atleast_1d(np.asarray(prescribed, dtype=float))
+        load = load if load.ndim == 1 else load.ravel()
         depth, radius = solver(self.bed, load)
         if solver is not at_force:
             load = self.bed.stiffness(radius) * depth - self.bed.gap_load(radius)
         if solver is at_depth:
             load = np.where(radius > 0.0, load, 0.0)
+        for part in (depth, load, radius):
+            part.flags.writeable = False  # the solution keeps them without a copy
         return IndentationSolution(self, *(like(part, prescribed) for part in (depth, load, radius)))
 
 

@@ -152,8 +152,9 @@ def _rising_radii(
     own = target if every else target[free]
     upper, guess = _bracket(bed, value, own)
     root = invert(with_slope, own, lower=flat_radius(bed), upper=upper, guess=guess)
-    far = by_blocks(lambda radii, loads: value(radii) > (1.0 + 1e-6) * loads, root, own)
-    root = _not_beyond(bed, root, far)
+    if flat_radius(bed) > 0.0 or bed.kinks:
+        far = by_blocks(lambda radii, loads: value(radii) > (1.0 + 1e-6) * loads, root, own)
+        root = _not_beyond(bed, root, far)
     if every:
         return root
     radius[free] = root
