@@ -49,7 +49,7 @@ def von_mises(stress: Tensor) -> Array:
 
 
 def max_shear(stress: Tensor) -> Array:
-    """Return the greatest shear stress, half the difference of the outermost principal stresses."""
+    """Return the greatest shear stress, half the difference of the extreme principal stresses."""
     principal = principal_of_tensor(*stress)
     return np.asarray(0.5 * (principal[..., 0] - principal[..., 2]))
 

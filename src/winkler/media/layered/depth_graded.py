@@ -38,7 +38,7 @@ class DepthGradedHalfSpace(LayeredMedium):
     grading : ExponentialGrading, SigmoidalGrading, TabulatedGrading or another DepthGrading
         E(z) and nu(z), constant far below.
     second : Elastic or Rigid, optional
-        The other body; rigid unless given.
+        The other body; rigid by default.
     tolerance : float, optional
         Relative error of every k(a), between 1e-7 and 1e-2.
 

@@ -31,7 +31,7 @@ class RelaxingByWaves(RelaxingLayers, Protocol):
 
     @property
     def relaxed(self) -> CoatedHalfSpace:
-        """The elastic stack that is left after all time."""
+        """The elastic stack at long times."""
         raise NotImplementedError
 
     def pressed_waves(self, s: ComplexArray, xi: Array) -> ComplexArray:
