@@ -47,7 +47,7 @@ class LineIndentation(PerLoad[Q]):
     bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
         Profile and bodies: homogeneous, layered, graded.
     load : LineForce, HalfWidth or MeanPressure
-        What is prescribed; its value may be an array, the results then have its shape.
+        The prescribed quantity. For an array the results have its shape.
 
     References
     ----------
@@ -141,14 +141,14 @@ class LineSolution(OfStrip, OfWidth[Q]):
         Parameters
         ----------
         friction : float
-            As of `stresses`.
+            As in `stresses`.
         below : bool
-            In the first body; otherwise in the second.
+            Whether to search in the first body; otherwise the second is searched.
 
         Raises
         ------
         InvalidInput, OutsideValidity
-            As of `stresses`; also where the stress is infinite, below a sharp tip, kink or rim.
+            As in `stresses`; also where the stress is infinite, below a sharp tip, kink or rim.
         """
         contact = self._contact(below, friction)
         if not np.isfinite(self.peak_pressure):
@@ -198,7 +198,7 @@ class LineSolution(OfStrip, OfWidth[Q]):
         ----------
         part : StrongPart
         friction : float
-            As of `stresses`.
+            As in `stresses`.
         """
         return greatest(LineContact(self._bed, *self._strip("part_stress"), part.solid.poisson, friction), von_mises)
 
@@ -248,7 +248,7 @@ class OnPowerLaw(OfStrip, PerLoad[Q]):
         return float(bed.depth(np.array(a), np.array(edge_load)))
 
     def stresses(self, x: ArrayLike, z: ArrayLike, friction: float = 0.0) -> LineFields:
-        """Refused: below the surface of a power law no field is known to winkler."""
+        """Not supported: below the surface of a power law no field is known to winkler."""
         raise self._unknown_stresses()
 
     def greatest_stress(self, friction: float = 0.0, *, below: bool = True) -> Placed:
@@ -260,7 +260,7 @@ class OnPowerLaw(OfStrip, PerLoad[Q]):
         raise self._unknown_stresses()
 
     def dragged_notes(self, friction: float) -> tuple[Note, ...]:
-        """Return how far the result can be trusted, as of `LineSolution.dragged_notes`."""
+        """Return how far the result can be trusted, as in `LineSolution.dragged_notes`."""
         return line_notes(self.problem.bed, float(np.max(self.half_width)))
 
     @staticmethod
