@@ -175,7 +175,7 @@ class PeriodicSolution(Stressed, OfWidth[Q]):
     force_per_length : float or ndarray
         P [N/m] of each strip, compression positive.
     half_width : float or ndarray
-        a [m] of each strip; half of the pitch where all is in contact.
+        a [m] of each strip; half of the pitch at full contact.
     """
 
     __words__ = words(
@@ -206,7 +206,7 @@ class PeriodicSolution(Stressed, OfWidth[Q]):
 
     @property
     def closure_pressure(self) -> float:
-        """Nominal pressure [Pa] at which all is in contact; infinite if the valleys are sharp."""
+        """Nominal pressure [Pa] at full contact; infinite if the valleys are sharp."""
         return float(self._bed.medium.modulus * closing_load(self._bed) / self.problem.pitch)
 
     def pressure(self, x: ArrayLike) -> Array:
@@ -215,7 +215,7 @@ class PeriodicSolution(Stressed, OfWidth[Q]):
         Parameters
         ----------
         x : array_like
-            Places on the surface [m]; the middle of one strip is x = 0.
+            Positions on the surface [m]; the middle of one strip is x = 0.
 
         Raises
         ------
@@ -232,7 +232,7 @@ class PeriodicSolution(Stressed, OfWidth[Q]):
         Parameters
         ----------
         x : array_like
-            Places on the surface [m].
+            Positions on the surface [m].
 
         Raises
         ------
@@ -248,19 +248,19 @@ class PeriodicSolution(Stressed, OfWidth[Q]):
         return line.separation(u, float(to_line(np.array(a), pitch)), 0.0)
 
     def stresses(self, x: ArrayLike, z: ArrayLike, friction: float = 0.0) -> LineFields:
-        """Return the stresses below the surface under one load, as of `LineSolution.stresses`; in layers, too.
+        """Return the stresses below the surface under one load, as in `LineSolution.stresses`; in layers, too.
 
         Parameters
         ----------
         x, z : array_like
-            Places along the surface [m], and depths [m] in one body; an interface belongs to the upper layer.
+            Positions along the surface [m], and depths [m] in one body; an interface belongs to the upper layer.
         friction : float
-            Traction along x over the pressure [-] of a contact that slides everywhere.
+            Traction along x over the pressure [-], for full sliding.
 
         Raises
         ------
         InvalidInput, OutsideValidity
-            As of `LineSolution.stresses`.
+            As in `LineSolution.stresses`.
         """
         if not isinstance(self.problem.bed, LayeredLineFoundation):
             return Stressed.stresses(self, x, z, friction)
