@@ -52,8 +52,8 @@ class LineViscoelasticState(OfWidth[float]):
     force_per_length, half_width : float
         P [N/m], a [m].
     crept_load : float
-        Hereditary integral of creep and force per length [m]: while the strip widens, w(a).  The creep is that of the
-        uppermost layer where each relaxes by a law of its own.
+        Hereditary integral of creep function and force per length [m]; it equals w(a) while the strip grows.  For
+        layers with separate relaxation functions, the creep function is that of the uppermost layer.
     edge_load : float
         What the edge bears like that of a flat punch [N/m]: at a rim, or where a dashpot alongside is caught.
     position : ndarray, (n,)
@@ -161,7 +161,7 @@ class LineViscoelasticState(OfWidth[float]):
         return np.append(c, self.half_width), np.append(q, self.edge_load)
 
     def approach(self, first: Place = None, second: Place = None) -> float:
-        """Return how far two points on the axis have come together since the beginning [m], one in each body.
+        """Return the approach of two points on the axis since the beginning [m], one in each body.
 
         Parameters
         ----------
@@ -172,7 +172,7 @@ class LineViscoelasticState(OfWidth[float]):
         Raises
         ------
         InvalidInput
-            If a reference is not stated: a line contact has no depth of its own.
+            If a reference point is missing: the approach of a line contact depends on the reference points.
         OutsideValidity
             If the strip is wider than a fifth of a finite body, or bodies or layers relax, and not in proportion.
         """
