@@ -31,7 +31,7 @@ class EllipticFields:
     xx_stress, yy_stress, zz_stress, xy_stress, xz_stress, yz_stress : ndarray
         [Pa], tension positive.
     x_displacement, y_displacement, z_displacement : ndarray
-        Against places far away [m].
+        Displacements relative to points far away [m].
     """
 
     __words__ = words(
@@ -69,13 +69,13 @@ class EllipticFields:
 
     @property
     def max_shear(self) -> Array:
-        """Maximum shear stress [Pa], half the difference of the outermost principal stresses."""
+        """Maximum shear stress [Pa], half the difference of the extreme principal stresses."""
         principal = self.principal_stresses
         return np.asarray(0.5 * (principal[..., 0] - principal[..., 2]))
 
     @property
     def orthogonal_shear(self) -> Array:
-        """Shear stress in the plane along the surface [Pa], whatever its direction."""
+        """Resultant shear stress on planes parallel to the surface [Pa]."""
         return np.hypot(self.xz_stress, self.yz_stress)
 
 
@@ -139,7 +139,7 @@ def greatest_below_ellipse(
         The greatest one [Pa].
     poisson : float
     traction : tuple of float
-        As of `traction_of`.
+        As in `traction_of`.
 
     Raises
     ------
