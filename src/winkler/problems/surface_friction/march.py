@@ -108,7 +108,7 @@ class MapRow(Row[MapGoal, MapPlaces]):
     course : RelaxationSeries
         By what their moduli are multiplied in the course of time.
     law : Coulomb, LinearSlipWeakening or ExponentialSlipWeakening
-        Friction.
+        Law of friction.
     by_force : ndarray of bool, (3,)
         Of which motions along x, along y and about the middle the force is given.
     tolerance : float
