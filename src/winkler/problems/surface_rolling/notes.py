@@ -45,7 +45,7 @@ def surface_rolling_notes(
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace or DepthGradedHalfSpace
         Both bodies.
     friction : Coulomb or FallingFriction
-        Friction.
+        Law of friction.
     pressure : ndarray, (nx, ny)
         [Pa].
     misfit : float or ndarray
