@@ -73,7 +73,7 @@ class ExportedLaw:
     __words__ = words(
         to=("", None, "language of the file"),
         files=("", None, "name and content of every file"),
-        state_size=("", "", "bytes that a contact remembers"),
+        state_size=("", "", "bytes of the state of a contact"),
     )
 
     name: str
