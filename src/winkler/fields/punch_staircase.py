@@ -55,7 +55,7 @@ class Staircase:
 
     __words__ = words(
         radii=("b", "m", "radii of the punches"),
-        increments=(r"\Delta g", "m", "by how much each punch sinks"),
+        increments=(r"\Delta g", "m", "depth of each punch"),
     )
 
     radii: Array

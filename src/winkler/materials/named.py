@@ -66,7 +66,7 @@ class TabulatedProperty:
     """
 
     __words__ = words(
-        quantity=("", None, "word of the glossary that a number stands for"),
+        quantity=("", None, "word of the glossary for a number"),
         number=("", None, "a number in the glossary's SI unit"),
         source=("", None, "where a number stands"),
         spread=("", None, "least and greatest value of sources"),

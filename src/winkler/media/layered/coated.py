@@ -512,8 +512,9 @@ class SlidingFilm(StackMedium):
         Note(
             Assumption.RESPONSE,
             Standing.EXACT,
-            "Frictionless contact of an isotropic, linear elastic layer that slides on its base without friction "
-            "and does not lift off. For one round contact k and g follow exactly from flat punches on the layer.",
+            "The contact is assumed frictionless. The layer is isotropic and linear elastic, slides on its base "
+            "without friction and does not lift off. For one round contact k and g follow exactly from flat punches "
+            "on the layer.",
             BARBER,
         ),
     )

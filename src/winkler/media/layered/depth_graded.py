@@ -85,8 +85,8 @@ class DepthGradedHalfSpace(LayeredMedium):
                 Assumption.RESPONSE,
                 Standing.ASYMPTOTIC,
                 "The graded body is divided into thin cells in depth; the relative error of every contact "
-                f"stiffness k(a) is at most {self.tolerance:.0e}. Frictionless contact of an isotropic, linear "
-                "elastic body.",
+                f"stiffness k(a) is at most {self.tolerance:.0e}. The contact is assumed frictionless, and "
+                "the body isotropic and linear elastic.",
                 "refinement of the cells until the surface compliance moves by less",
             ),
         )

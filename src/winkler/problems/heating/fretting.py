@@ -94,7 +94,7 @@ class FrettingHeat(RubbingBodies):
     (1.0, True)
     """
 
-    __words__ = words(contact=("", None, "contact that is pushed to and fro"))
+    __words__ = words(contact=("", None, "contact under oscillating tangential displacement"))
 
     contact: Tangential
     frequency: Positive
@@ -305,8 +305,8 @@ class FrettingHeatSolution:
                 Assumption.CONDUCTION,
                 Standing.APPROXIMATE,
                 f"The oscillation about the mean, about {self.swing:.3g} K, is an estimate for a heat flux that "
-                "varies as 1 + cos. The estimate is the smaller of two values: the mean temperature and the "
-                f"oscillation of a plane. The thermal penetration depth per cycle is {reach:.2g} m.",
+                "varies as 1 + cos. The estimate is the smaller of two values: the mean temperature, and the "
+                f"amplitude of a plane that is heated uniformly. The thermal penetration depth per cycle is {reach:.2g} m.",
                 "one-dimensional diffusion; H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, Oxford 1959",
             ),
             temperature_note(float(self.max_temperature) + float(self.swing)),

@@ -155,7 +155,7 @@ class LineAdhesionSolution(OfStrip, OfWidth[Q]):
     """
 
     __words__ = words(
-        edge_load=("Q", "N/m", "load per length that the edges bear beside the profile, negative where they pull"),
+        edge_load=("Q", "N/m", "load per length at the edges in addition to that of the profile, negative in tension"),
     )
 
     problem: LineAdhesion[Q]

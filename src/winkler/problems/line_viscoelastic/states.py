@@ -65,10 +65,10 @@ class LineViscoelasticState(OfWidth[float]):
     """
 
     __words__ = words(
-        edge_load=("", "N/m", "what the edge bears like that of a flat punch"),
+        edge_load=("", "N/m", "load at the edge, as of a flat punch"),
         position=("c", "m", "half-widths of the flat strips that make up the pressure"),
-        line_load=("q", "N/m", "what wider strips bear"),
-        recess=("u", "m", "hereditary integral of creep and what wider strips have borne"),
+        line_load=("q", "N/m", "load on wider strips"),
+        recess=("u", "m", "hereditary integral of creep function and load on wider strips"),
     )
 
     bed: LineFoundation | LayeredLineFoundation

@@ -78,7 +78,7 @@ class EllipticYieldOnset:
 
     __words__ = words(
         friction=("", None, "law of friction of a contact that slides everywhere"),
-        angle=(r"\theta", "rad", "direction in which the surface is dragged, from x towards y"),
+        angle=(r"\theta", "rad", "direction of the traction on the surface, from x towards y"),
     )
 
     bodies: CurvedBodies | CurvedPair

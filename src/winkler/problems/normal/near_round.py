@@ -207,8 +207,8 @@ class NearlyRoundSolution(PerLoad[Q]):
         ratio = float(np.max(np.max(self.contour, axis=-1) / np.min(self.contour, axis=-1)))
         if ratio <= OVAL_RATIO:
             accuracy = (
-                "Compared with ellipses the force differs by at most 0.1 and the radius by at most 1 per cent. "
-                "Compared with bodies with edges they differ by 2 and 7 per cent"
+                "Compared with ellipses the force differs by at most 0.1 % and the radius by at most 1 %. "
+                "Compared with bodies with edges they differ by 2 % and 7 %"
             )
         else:
             accuracy = (

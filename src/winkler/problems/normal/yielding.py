@@ -148,7 +148,7 @@ class YieldOnsetSolution:
     """
 
     __words__ = words(
-        x=("x", "m", "place in the direction in which the surface is dragged"),
+        x=("x", "m", "position along the direction of the traction"),
         onsets=("", None, "onset of yield of each body, layer and base"),
     )
 

@@ -122,8 +122,8 @@ class DentLimitSolution:
     """
 
     __words__ = words(
-        elastic_peak_pressure=("p_{el}", "Pa", "greatest pressure that bodies which do not yield would bear"),
-        released=("", None, "the contact under this load, and let go"),
+        elastic_peak_pressure=("p_{el}", "Pa", "maximum pressure without yielding"),
+        released=("", None, "the contact under this load and after unloading"),
     )
 
     problem: DentLimit

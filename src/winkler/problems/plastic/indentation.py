@@ -380,7 +380,7 @@ def _layers_note(loading: FirstLoading) -> Note:
         Assumption.RESPONSE,
         Standing.ASYMPTOTIC,
         f"The layers are elastic up to {loading.at_onset(by_force=True):.4g} N. At this load {loading.where}. Up "
-        "to there no dent remains; greater loads are not supported.",
+        "to this load no dent remains; greater loads are not supported.",
         "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582",
     )
 

@@ -145,7 +145,7 @@ class StrengthFromDent:
     """
 
     __words__ = words(
-        load=("", None, "greatest loads that the contact has borne, or blows"),
+        load=("", None, "maximum loads, or impacts"),
         dent=("", None, "radius or depth of the dent that each has left, or its restitution"),
         force_error=("u(F)", "N", "standard deviation of the force"),
         dent_error=("u(r)", "m", "standard deviation of radius or depth of the dent"),
@@ -407,7 +407,7 @@ class StrengthFromDentSolution:
         of_load=("", "", "relative change of the strength by that of force or velocity"),
         of_dent=("", "", "relative change of the strength by that of dent or restitution"),
         misfit=("", "", "what several loads miss over their stated errors"),
-        released=("", None, "the contact under the load, and let go"),
+        released=("", None, "the contact under the load and after unloading"),
         hardness=("H_M", "Pa", "force over the area of the dent in its plane, Meyer's hardness"),
     )
 

@@ -233,7 +233,7 @@ class ProfilePairRollingSolution:
         grid_error=("", "", "error of forces by what changes from fewer pixels, over the friction"),
         misfit=("", "", "what the solver left of the law of friction, over what friction would lose all slipping"),
         windows=("", None, "number of grids of elements"),
-        patches=("", None, "places of contact, the one that bears most first"),
+        patches=("", None, "contact patches, the one with the highest load first"),
         place=("y", "m", "middle of the pressure of a patch, across"),
         angle=(r"\alpha", "rad", "contact angle of a patch"),
         force=("F_N", "N", "force that presses a patch"),
@@ -362,8 +362,8 @@ def pair_rolling_notes(
         Note(
             Assumption.SLIP,
             standing_left(misfit, Standing.ASYMPTOTIC),
-            f"Kalker's exact theory of rolling, with {named(friction)} in each pixel. The residual of the solution is "
-            f"{misfit:.1g} of the energy dissipated at full sliding. The rigid slip follows the rolling radii of "
+            f"Kalker's exact theory of rolling, with {named(friction)} in each pixel. The residual of the law of "
+            f"friction is {misfit:.1g} of the energy dissipated at full sliding. The rigid slip follows the rolling radii of "
             "both bodies across the patch.",
             KALKER,
         ),

@@ -203,14 +203,18 @@ class ProfilePairSolution:
         grid_error=("", "", "change of force and greatest pressure from half as many pixels"),
         touch=("y", "m", "where across the bodies first touch"),
         height=("z", "m", "height of the upper profile's zero over that of the lower one"),
-        patches=("", None, "places of contact, the one that bears most first"),
+        patches=("", None, "contact patches, the one with the highest load first"),
         cut=("", None, "whether a contact reaches the end of a profile"),
         windows=("", None, "number of grids of elements"),
-        angle=(r"\alpha", "rad", "contact angle of the patch that bears most"),
-        place=("y", "m", "middle of the pressure across, of the patch that bears most"),
-        longitudinal_creepage=(r"\xi", "", "creepage along, of the patch that bears most"),
-        lateral_creepage=(r"\eta", "", "creepage across, of the patch that bears most"),
-        spin=(r"\varphi", "1/m", "rotation about the normal per distance rolled, of the patch that bears most"),
+        angle=(r"\alpha", "rad", "contact angle of the patch with the highest load"),
+        place=("y", "m", "lateral position of the centre of pressure, of the patch with the highest load"),
+        longitudinal_creepage=(r"\xi", "", "longitudinal creepage of the patch with the highest load"),
+        lateral_creepage=(r"\eta", "", "lateral creepage of the patch with the highest load"),
+        spin=(
+            r"\varphi",
+            "1/m",
+            ("spin (rotation about the normal per distance rolled) of the patch with the highest load"),
+        ),
     )
 
     problem: ProfilePair

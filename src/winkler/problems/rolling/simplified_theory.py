@@ -341,7 +341,7 @@ def distance_notes(creepage: Creepage, ratio: float, poisson: float) -> tuple[No
     distance = known.spun if spun else known.both if both else known.one
     turned = known.spun_moment if spun else known.moment
     statement = (
-        f"{THEORY}The springs were compared with Kalker's exact theory near this ellipse and this Poisson's ratio. "
+        f"{THEORY}The springs were compared with Kalker's exact theory for similar ellipses and Poisson's ratios. "
         f"{under} the force differs by at most {distance:.2g} mu F_N, the moment by at most {turned:.2g} mu F_N "
         "sqrt(a b)."
     )

@@ -39,7 +39,7 @@ class PartOnset:
     __words__ = words(
         part=PART,
         name=NAME,
-        x=("x", "m", "place in the direction in which the surface is dragged"),
+        x=("x", "m", "position along the direction of the traction"),
         why=("", None, "why no onset was found"),
     )
 
