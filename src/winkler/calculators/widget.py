@@ -45,8 +45,8 @@ export default {
 def widget(name: str = "normal", **values: float) -> Any:
     """Return a calculator for a Jupyter notebook: sliders, numbers and a curve, with the study as its value.
 
-    Its `value` is the text of a study file of what is shown, `answer` its numbers in SI units, `values` those of the
-    sliders in their units, which may be assigned. Needs: ``pip install winkler[widget]``.
+    Its `value` is the text of the study file for the current sliders, `answer` the results in SI units. `values` are
+    the slider values in their units; you can assign them. Needs: ``pip install winkler[widget]``.
 
     Parameters
     ----------
@@ -54,7 +54,7 @@ def widget(name: str = "normal", **values: float) -> Any:
         One of normal, graded, viscoelastic, adhesion, roughness, tangential, torsion, damping, rolling, heating,
         conduction, wear.
     **values : float
-        Where sliders begin, in their units: ``winkler.widget("adhesion", work=80.0)`` for 80 mJ/m^2.
+        Initial values of sliders in their units: ``winkler.widget("adhesion", work=80.0)`` for 80 mJ/m^2.
 
     Returns
     -------

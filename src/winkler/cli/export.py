@@ -19,7 +19,7 @@ def export(
     output: Annotated[Path, typer.Option("--output", "-o", help="Folder of the files.")] = Path(),
     name: Annotated[str, typer.Option(help="With which functions and types begin.")] = "contact",
     tolerance: Annotated[float, typer.Option(help="Error of a force given by a table, over the greatest.")] = 1e-6,
-    count: Annotated[int, typer.Option(help="How many springs bear friction.")] = 32,
+    count: Annotated[int, typer.Option(help="Number of springs with friction.")] = 32,
     precision: Annotated[str, typer.Option(help="Type of numbers: double, or float in C.")] = "double",
     every_radius: Annotated[bool, typer.Option("--every-radius", help="R of the pair goes into every step.")] = False,
     overwrite: Annotated[bool, typer.Option("--overwrite", "--yes", "-y", help="Replace existing files.")] = False,

@@ -63,7 +63,7 @@ def fit(
     quiet: Quiet = False,
     as_json: AsJson = False,
 ) -> int:
-    """Fit numbers of a model to one curve, a batch of files, or a force map; evaluate or calibrate nanoindentations.
+    """Fit parameters of a model to one curve, many files, or a force map; evaluate or calibrate nanoindentations.
 
     The results are written whole or not at all; after Ctrl-C with what was fitted so far. A batch that was stopped goes
     on where it was if the same study is fitted again. If curves have no answer, the exit code is that of the first one.

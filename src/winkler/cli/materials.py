@@ -40,7 +40,7 @@ def several(names: Sequence[str]) -> None:
         )
     out = terminal.console()
     out.print(table)
-    out.print("At room temperature. `winkler show copper` lists all numbers of a material and their sources.")
+    out.print("Values at room temperature. `winkler show copper` lists all values of a material with their sources.")
 
 
 @until_closed()

@@ -44,7 +44,7 @@ LAWS = {
     "ContactLaw": "the same, up to its depth and to its tolerance",
     "Tangential": "the same with friction in the plane, up to the deepest point of the path",
     "ElasticPlasticParticle": "a particle that yields and sticks, with all its hysteresis",
-    "PlasticIndentation": "round bodies that yield, pressed, let go and pressed again, up to the deepest point",
+    "PlasticIndentation": "round bodies that yield: loading, unloading and reloading up to the maximum depth",
     "PlasticImpact": "the same, up to the deepest point of the fastest impact",
     "EllipticIndentation": "two bodies of unlike curvatures, up to the deepest load",
     "Impact": "a body of revolution that strikes; with friction if it moves along the surface",

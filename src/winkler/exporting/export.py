@@ -59,21 +59,21 @@ class ExportedLaw:
     Parameters
     ----------
     name : str
-        With which its functions begin.
+        Prefix of the names of its functions.
     to : str
         The language.
     title : str
-        What it is.
+        A title for the heading of the file.
     files : tuple of (str, str or bytes)
         Name and content of every file.
     state_size : int
-        How many bytes a contact remembers.
+        Size of the state of one contact in bytes.
     """
 
     __words__ = words(
         to=("", None, "language of the file"),
         files=("", None, "name and content of every file"),
-        state_size=("", "", "bytes that a contact remembers"),
+        state_size=("", "", "bytes of the state of a contact"),
     )
 
     name: str
@@ -84,7 +84,7 @@ class ExportedLaw:
 
     @property
     def text(self) -> str:
-        """The first file; empty if it is no text."""
+        """Content of the first file; empty if the file is binary."""
         first = self.files[0][1]
         return first if isinstance(first, str) else ""
 
@@ -95,8 +95,9 @@ def export(
 ) -> ExportedLaw:  # fmt: skip
     """Return a contact law as a source file of another language.
 
-    The law is translated from the source of winkler's own compiled loops.  Its heading states units, signs, inputs and
-    validity; it holds a trace made by winkler with which it can be compared where it is compiled.
+    The law is translated from the source of winkler's compiled loops. The heading of the file states units, signs,
+    inputs and validity. The file also contains results of winkler for one load history, so that the compiled code can
+    test itself.
 
     Parameters
     ----------
@@ -105,18 +106,19 @@ def export(
     to : str
         One of "c", "python", "fortran", "lammps", "dem-engine", "fmu", "fmu3", "wasm".
     name : str, optional
-        With which functions and types begin; a word in small letters that is none of a target's language.
+        Prefix of functions and types: a word in lower-case letters that is not a keyword of the target language.
     tolerance : float, optional
-        Error of a normal force that is given by a table, over the maximum force.
+        Maximum error of a tabulated normal force, relative to the maximum force.
     count : int, optional
-        How many springs a Tangential has; `Contacts` state it themselves.
+        Number of springs of a `Tangential`; `Contacts` define their own number.
     precision : str, optional
-        "double", or "float" in C: the heading states by how much the answers are off along the test trace.
+        "double", or "float" in C. For "float" the heading of the file states the resulting error along the test
+        history.
 
     every_radius : bool, optional
         Whether the radius R of the pair is an input of every step, so that balls of all sizes have one law; for balls
-        on homogeneous media.  Lengths of the study (deepest point, rolling arm) are then in proportion to R; works of
-        adhesion stay.
+        on homogeneous media.  The maximum depth and the rolling arm of the study then scale with R; the work of
+        adhesion does not.
 
     Returns
     -------
@@ -125,7 +127,7 @@ def export(
     Raises
     ------
     InvalidInput
-        If there is no such target, the name is none, or the problem is no law for other programs.
+        If the target is unknown, the name is not allowed, or the problem cannot be exported.
     NotConverged
         If a table would need too many rows.
 
@@ -170,7 +172,7 @@ def write_export(exported: ExportedLaw, folder: str | os.PathLike[str]) -> tuple
     ----------
     exported : ExportedLaw
     folder : str or path
-        Where they are written; made if it is not there.
+        Folder for the files; it is created if it does not exist.
 
     Returns
     -------

@@ -136,5 +136,5 @@ class StepLaw(NamedTuple):
 
     @property
     def state_size(self) -> int:
-        """How many bytes a contact remembers."""
+        """Size of the state of one contact in bytes."""
         return sum(math.prod(part.begin.shape) * part.begin.itemsize for part in self.state)

@@ -71,19 +71,19 @@ def peak_stress(solution: Dragged | SelfRestoring | TorsionState, *, below: bool
 def peak_stress(
     solution: Restorable | Dragged | SelfRestoring | TorsionState, *, below: bool = True
 ) -> PeakStress | PlacedStress:
-    """Return the maximum von Mises stress and its place; in a layered body layer by layer, on both sides of each face.
+    """Return the maximum von Mises stress and its position; in layers on both sides of each interface.
 
     Parameters
     ----------
     solution
         The solution of a problem, for one load.
     below
-        In the first body (z > 0) or, if False, in the second.
+        Whether to search in the first body (z > 0, default) or in the second (False).
 
     Returns
     -------
     PeakStress or PlacedStress
-        PlacedStress for a sheared or twisted contact. For a twisted one the place is at least a thousandth of the
+        PlacedStress for a sheared or twisted contact. In a twisted contact the search begins at a thousandth of the
         contact radius below the surface. Infinite at a sharp kink, edge or apex.
     """
     if isinstance(solution, TorsionState):

@@ -55,7 +55,7 @@ class Staircase:
 
     __words__ = words(
         radii=("b", "m", "radii of the punches"),
-        increments=(r"\Delta g", "m", "by how much each punch sinks"),
+        increments=(r"\Delta g", "m", "depth of each punch"),
     )
 
     radii: Array
@@ -65,7 +65,7 @@ class Staircase:
 
     @property
     def depth(self) -> float:
-        """The sum of all increments d [m]."""
+        """Depth d [m]: the sum of all increments."""
         return float(np.sum(self.increments))
 
     @property
@@ -119,7 +119,7 @@ class Staircase:
         return self._sum(kernel, r)
 
     def force_within(self, r: ArrayLike) -> Array:
-        """Return the force that acts within a circle: the pressure, summed up over its area without its poles.
+        """Return the force within a circle: the integral of the pressure over its area.
 
         Parameters
         ----------
@@ -154,7 +154,7 @@ class Staircase:
 
 
 def staircase(solution: Restorable, count: int) -> Staircase:
-    """Return the staircase of flat punches that a contact is made of.
+    """Return the stack of flat punches whose sum gives the contact.
 
     Parameters
     ----------
@@ -162,7 +162,7 @@ def staircase(solution: Restorable, count: int) -> Staircase:
         The solution of a problem, for one load, on a homogeneous half-space.
     count : int
         Number of punches along the shape of the body; one more represents the flat end of a body pinned at its rim.
-        The depth is met exactly, force and outer displacement with an error that falls as 1/count^2.
+        The depth is exact; the errors of force and outside displacement are proportional to 1/count^2.
 
     Returns
     -------

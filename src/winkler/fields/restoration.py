@@ -190,13 +190,14 @@ def restore_body(
     InvalidInput
         If a place is not finite, or the solution holds many loads; if a place lies on a twisted surface.
     OutsideValidity
-        If the field is not known for this medium (that of a traction: for others than `HalfSpace` and, of
-        rings, bonded layers), or the body there is rigid.
+        If the body is rigid, or the field is not implemented for this medium. Fields of tractions are implemented for
+        a `HalfSpace`, and with annular elements for bonded layers.
 
     Notes
     -----
-    The traction is that of the springs, along x everywhere; its stresses are exact.  That the surfaces slide where and
-    as the springs predict is exact for nu = 0 on half-spaces; otherwise the displacement across the load is neglected.
+    The traction is that of the springs and acts along x everywhere; the stresses due to this traction are exact. The
+    predicted slip is exact on half-spaces with nu = 0; otherwise the displacement perpendicular to the load is
+    neglected.
 
     References
     ----------
@@ -217,20 +218,20 @@ def restore_body(
 
 @guarded_result
 def restore_shift(solution: Dragged, x: ArrayLike, y: ArrayLike) -> Array:
-    """Return how far a sheared contact drags the surfaces along, sum over both bodies.
+    """Return the tangential surface displacement of a sheared contact, summed over both bodies.
 
     Parameters
     ----------
     solution
-        The answer to a problem with a tangential load, at one point of its path.
+        The solution of a problem with a tangential load, at one point of its path.
     x, y : array_like
-        Places on the surface [m].
+        Positions on the surface [m].
 
     Returns
     -------
     ndarray, (..., 2)
-        u_x and u_y [m].  For Poisson ratios above zero they depend on the direction: only the mean over each circle is
-        that of the springs.
+        u_x and u_y [m].  For Poisson's ratios above zero the displacements depend on the direction; only their mean
+        over each circle equals that of the springs.
 
     Raises
     ------

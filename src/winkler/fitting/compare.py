@@ -48,7 +48,7 @@ class Comparison:
     effective_count : float
         Number of independent points of the curve.
     aic, bic : ndarray, (m,)
-        Akaike's and Schwarz' criterion [-]; only differences mean something.
+        Akaike's and Schwarz' information criteria [-]; only differences have a meaning.
     refused : tuple of str
         Models that could not be fitted, with the reasons.
     """
@@ -70,7 +70,7 @@ class Comparison:
 
     @property
     def evidence(self) -> Array:
-        """How many times likelier the best model is than each, exp(difference of AIC / 2) ``(m,)``."""
+        """Likelihood ratio of the best model to each model, exp(difference of AIC / 2), ``(m,)``."""
         return np.asarray(np.exp(np.minimum(0.5 * (self.aic - self.aic[0]), 700.0)))
 
     @property
@@ -80,14 +80,14 @@ class Comparison:
 
     @property
     def explained(self) -> bool:
-        """Whether the best model explains the curve: its residuals are no more than the noise."""
+        """Whether the best model explains the curve: its residuals do not exceed the noise."""
         return all(flag.name != "misfit" for flag in self.best.flags)
 
     @property
     def possible(self) -> tuple[str, ...]:
-        """Models that the curve allows, the best first; none, if the best one does not explain the curve.
+        """Models that agree with the curve, the best first; empty if the best one does not explain the curve.
 
-        Whether a model that was not compared would describe it as well, no curve tells.
+        A model that was not compared may describe the curve equally well.
         """
         if not self.explained:
             return ()
@@ -112,7 +112,7 @@ class Comparison:
 
     @property
     def verdict(self) -> str:
-        """What the curve says about the models, in one sentence, and which were not fitted."""
+        """The conclusion in one sentence, with the names of models that could not be fitted."""
         unfitted = _listed(self.unfitted)
         return self._statement() + (f" Not fitted, and therefore not excluded: {unfitted}." if unfitted else "")
 

@@ -76,7 +76,7 @@ class FitEstimate:
 
     @property
     def touched(self) -> Array:
-        """Points in contact ``(n,)``."""
+        """Which points are in contact, ``(n,)``."""
         return np.asarray(self.radius > 0.0)
 
     def index(self, name: str) -> int:

@@ -96,7 +96,7 @@ def fit(
     Parameters
     ----------
     curve : ForceCurve
-        One approach, one retraction, or both; hold periods are omitted, unless the model is viscoelastic.
+        One approach, one retraction, or both. Hold periods are omitted unless the model is viscoelastic.
     model : Indentation, AdhesiveIndentation or ViscoelasticIndentation
         The problem; its load is only a placeholder, Depth(0.0).  Free parameters begin at the values of the model.  For
         a viscoelastic body the path defines the input. With Path([0.0], Depth(0.0)) forces are fitted along the
@@ -119,7 +119,7 @@ def fit(
     Raises
     ------
     InvalidInput
-        If the curve is refused (see `winkler.fitting.curves.checks`), or a path does not exist.
+        If the curve does not pass the checks of `winkler.fitting.curves.checks`, or a path does not exist.
     OutsideValidity
         If the curve does not determine the free parameters, or leads beyond the reach of the profile.
     NotConverged

@@ -19,7 +19,7 @@ FLAG_MEANINGS = {
     "not_white": "noise was stated to be white, but residuals are slow: leave noise_spectrum out",
     "at_bound": "a number has reached its bound; its error has no meaning: widen the bound, or fix the number",
     "undetermined": "a number is less than its own error: fix it, or give more of the curve",
-    "correlated": "two numbers act nearly alike: fix one of them",
+    "correlated": "two parameters have nearly the same effect: fix one of them",
     "no_baseline": "hardly a point out of contact: contact point and zero of force are uncertain",
     "pop_in": "the depth or force jumps while the tip is pressed in: fit the part before the first pop-in",
     "jump": "a jump-in or pull-off takes time: its points were left out; the work may depend on the speed",

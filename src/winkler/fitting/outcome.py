@@ -34,33 +34,34 @@ class Fit(FitEstimate):
     Parameters
     ----------
     curve : ForceCurve
-        The fitted points, without holds.
+        The fitted points, without hold periods.
     model : Indentation or AdhesiveIndentation
-        The model with the fitted numbers; its load is the largest depth.
+        The model with the fitted parameters; its load is the maximum depth.
     names : tuple of str, (p,)
         Names of the parameters.
     values : ndarray, (p,)
         Values of the parameters, in SI units.
     standard_errors : ndarray, (p,)
-        In the same units, under white and slow noise.
+        Standard errors in the same units, for white and correlated (slow) noise.
     correlation : ndarray, (p, p)
-        Of the numbers' errors.
+        Correlation of the errors of the parameters.
     lows, highs : ndarray, (p,)
-        Bounds that were set.
+        Bounds of the parameters, as given.
     noise : float
-        Standard deviation of the forces [N]: as given, else of the free points.
+        Standard deviation of the forces [N]: as given, otherwise estimated from the points without contact.
     weights : ndarray, (n,)
         Factors of the residuals; 1 for uniform noise.
     scatter : float
         Standard deviation of the weighted residuals [N].
     effective_count : float
-        Number of independent points with this scatter that would determine the parameters as well.
+        Number of independent points with this scatter that would give the same errors.
     slow_share : float
         Part of the noise's variance that is slow (1/f, a random walk, or correlated neighbours).
     log_likelihood : float
-        Logarithm of the likelihood, integrated over the noise; of fits of one quantity only differences mean something.
+        Logarithm of the likelihood, integrated over the noise. Only differences between fits of the same data have a
+        meaning.
     reaches : ndarray, (p, 5)
-        Half-widths of the intervals of 68, 90, 95, 99 and 99.7 % in standard errors, of the mixture of noises.
+        Half-widths of the intervals of 68, 90, 95, 99 and 99.7 %, divided by the standard errors.
     stretches : ndarray, (p, 2)
         Factors of the lower and upper half-widths of intervals by profile likelihood; 1 for nearly linear models.
     predicted : ndarray, (n,)
@@ -70,7 +71,7 @@ class Fit(FitEstimate):
     flags : tuple of Flag
         Doubts about the parameters.
     logarithmic : tuple of bool, (p,)
-        Of which numbers the logarithm was varied.
+        Whether the logarithm of the parameter was varied.
     contact : ndarray of bool, (n,)
         Points in contact.
     """
@@ -82,7 +83,7 @@ class Fit(FitEstimate):
 
     @property
     def touched(self) -> Array:
-        """Points in contact ``(n,)``."""
+        """Which points are in contact, ``(n,)``."""
         return self.contact
 
     @property
@@ -119,14 +120,15 @@ class _RelaxingFit(FitEstimate):
 
 @value
 class ViscoelasticFit(_RelaxingFit):
-    """Fit of forces along a measured motion of a solid that relaxes; all other fields are those of `Fit`.
+    """Fit of a viscoelastic solid to forces under a measured motion; all other fields are those of `Fit`.
 
     Parameters
     ----------
     model : ViscoelasticIndentation
-        With the fitted numbers, along the fitted depths.
+        The model with the fitted parameters, along the fitted depths.
     noise : float
-        Standard deviation of the forces [N]: as given, else of the free points, else the scatter.
+        Standard deviation of the forces [N]: as given, otherwise estimated from the points without contact, otherwise
+        the scatter.
     depth : ndarray, (n,)
         Fitted d, below zero out of contact [m].
     """
@@ -142,23 +144,23 @@ class ViscoelasticFit(_RelaxingFit):
 
 @value
 class CreepFit(_RelaxingFit):
-    """Fit of positions under measured forces of a solid that creeps; all other fields are those of `Fit`.
+    """Fit of a creeping solid to positions under measured forces; all other fields are those of `Fit`.
 
     Parameters
     ----------
     curve : ForceCurve
         Positions are fitted under its forces; during approach, up to a tenth of the maximum force, forces are fitted.
     model : ViscoelasticIndentation
-        With the fitted numbers, under the forces of the contact.
+        The model with the fitted parameters, under the forces of the contact.
     noise : float
         Standard deviation of the positions [m]: as given, else the scatter of those that were fitted.
     weights : ndarray, (n,)
-        What the residuals were multiplied with; less than 1 where the noise of the force adds to that of the position.
+        Factors of the residuals; less than 1 where the noise of the force adds to that of the position.
     scatter : float
         Standard deviation of the weighted residuals [m].
     predicted : ndarray, (n,)
-        Fitted positions [m]. Where the force was fitted: measured positions minus the misfit, with one standard
-        deviation of the force for one of the position.
+        Fitted positions [m]. Where forces were fitted, the deviation of the force is converted: one standard deviation
+        of the force counts as one of the position.
     depth : ndarray, (n,)
         Fitted d [m].
     """

@@ -32,16 +32,16 @@ def compare_terms(
     noise: Quantity = 0.0,
     time_limit: float = math.inf,
 ) -> Comparison:
-    """Fit solids of one to `most` relaxation times to a curve, and rank them.
+    """Fit Prony solids with one to `most` relaxation times to a curve, and rank them.
 
-    Times begin evenly in their logarithm, between the shortest step of the curve's time and its whole length, and stay
-    there unless they are free.
+    The initial times are evenly spaced on a logarithmic scale, from the shortest time step of the curve to its
+    duration. They are constant unless they are free parameters.
 
     Parameters
     ----------
     curve : ForceCurve
     model : ViscoelasticIndentation
-        With a `Prony` as the first body; its moduli and times are replaced.
+        A model with a `Prony` solid as the first body, whose moduli and times are replaced.
     free : mapping or iterable of str
         As for `winkler.fitting.fit.fit`; whole rows, such as "bed.medium.first.shears".
     most : int, optional

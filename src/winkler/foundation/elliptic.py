@@ -49,7 +49,7 @@ class EllipticFoundation(UnderProfile):
     Parameters
     ----------
     bodies : CurvedBodies or CurvedPair
-        R_x and R_y; a shear force or shift is along x.  `turned` has it along y.
+        The bodies with R_x and R_y. Shear forces and displacements act along x, for `turned` along y.
     medium : HalfSpace, TransverselyIsotropicHalfSpace or ViscoelasticHalfSpace
         Both bodies, homogeneous.
 
@@ -99,12 +99,12 @@ class EllipticFoundation(UnderProfile):
 
     @property
     def size(self) -> float:
-        """Radius of the disc as stiff as an ellipse that is as long as a curvature radius [m]."""
+        """Radius [m] of the disc with the stiffness of an ellipse as long as a curvature radius."""
         return 1.0 / float(self.slope(np.ones(1))[0])
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """The contact that the springs represent."""
+        """A note on the contact that the springs represent."""
         return (
             *self.medium.notes,
             Note(
@@ -117,7 +117,7 @@ class EllipticFoundation(UnderProfile):
         )
 
     def slope(self, r: Array) -> Array:
-        """The steepest slope of the bodies [-] where the ellipse as stiff as a disc of radius r ends."""
+        """Maximum slope of the bodies [-] at the edge of the ellipse whose stiffness is that of a disc of radius r."""
         along, across = EllipticOutline(self.bodies.slenderness).semi_axes(np.asarray(r, dtype=float))
         return np.asarray(
             np.maximum(along / self.bodies.longitudinal_curvature_radius, across / self.bodies.lateral_curvature_radius)

@@ -153,11 +153,11 @@ class LayeredLineFoundation(LineBed):
     Parameters
     ----------
     profile : Profile
-        The gap f between the undeformed bodies, as of `LineFoundation`.
+        The gap f between the undeformed bodies, as in `LineFoundation`.
     medium : CoatedHalfSpace, StackedHalfSpace, SlidingFilm, DepthGradedHalfSpace or PlaneMedium
-        Layers, each bonded to what lies below it or sliding there, on a half-plane or a rigid base, or a body graded
-        with depth; against a homogeneous body.  RelaxingInProportion, ViscoelasticCoatedHalfSpace and PoroelasticFilm
-        are for problems in which they relax.
+        Layers (each bonded to the material below or sliding on it) on a half-plane or a rigid base, or a body graded
+        with depth; against a homogeneous body. For viscoelastic problems: RelaxingInProportion,
+        ViscoelasticCoatedHalfSpace or PoroelasticFilm.
 
     References
     ----------
@@ -216,7 +216,7 @@ class LayeredLineFoundation(LineBed):
         )
 
     def own_modes(self, half_width: Array) -> Array | None:
-        """Return the modes of the half-planes' pressures ``(a, n)``, as of `smooth_modes`."""
+        """Return the modes of the half-planes' pressures ``(a, n)``, as in `smooth_modes`."""
         return smooth_modes(self.half_plane, half_width)
 
     def own_transforms(self, half_width: Array, k: Array) -> Array:
@@ -224,7 +224,7 @@ class LayeredLineFoundation(LineBed):
         return transforms(self.half_plane, half_width, k)
 
     def repeated(self, profile: Profile, pitch: float) -> PeriodicLayers:
-        """Return the bed of strips at a pitch [m], as of `LineFoundation.repeated`."""
+        """Return the bed of strips at a pitch [m], as in `LineFoundation.repeated`."""
         return PeriodicLayers(profile, self.medium, pitch)
 
     @property
@@ -293,7 +293,7 @@ class LayeredLineFoundation(LineBed):
         return _touching(half_width, self.half_plane.load_profile_slope(half_width), widened)
 
     def edge_share(self, half_width: Array) -> Array:
-        """Return the tension at the edges of a flat punch, as of `LineBed.edge_share`."""
+        """Return the tension at the edges of a flat punch, as in `LineBed.edge_share`."""
         ones, response = np.ones(np.shape(half_width)), self.medium.response
         if has_tail(response):
             return _touching(half_width, ones, lambda a, _: punch_edges(response, a)[0])
@@ -318,19 +318,19 @@ class LayeredLineFoundation(LineBed):
         return _touching(half_width, np.zeros(np.shape(half_width)), widened)
 
     def zoned(self, strength: float, half_width: float, outer: float) -> ZonedLayers:
-        """Return the bed with the attraction beside a strip, as of `LineBed.zoned`."""
+        """Return the bed with the attraction beside a strip, as in `LineBed.zoned`."""
         return ZonedLayers(self.profile, self.medium, strength, half_width, outer)
 
     def zone_gap(self, half_width: Array, span: Array, strength: float) -> tuple[Array, Array]:
-        """Return the distance where an attraction ends, as of `LineBed.zone_gap`; the slope is that of half-planes."""
+        """Return the distance where an attraction ends, as in `LineBed.zone_gap`; the slope is that of half-planes."""
         return _zones(self, half_width, span, strength).gap, self.half_plane.zone_gap(half_width, span, strength)[1]
 
     def zone_load(self, half_width: Array, span: Array, strength: float) -> Array:
-        """Return the load per length over E* of strip and attraction, as of `LineBed.zone_load`."""
+        """Return the load per length over E* of strip and attraction, as in `LineBed.zone_load`."""
         return _zones(self, half_width, span, strength).load
 
     def zone_load_slope(self, half_width: Array, span: Array, strength: float) -> Array:
-        """Return its derivative by the half-width, as of `LineBed.zone_load_slope`; to about 1e-8.
+        """Return its derivative by the half-width, as in `LineBed.zone_load_slope`; to about 1e-8.
 
         As a strip widens beside an attraction that ends at c it adds a flat punch, which brings the surfaces at c
         closer.  Where c lies close to the edge that cancels against the longer attraction: differences are taken
@@ -360,12 +360,12 @@ class LayeredLineFoundation(LineBed):
         half_width : float
             a [m], positive.
         rim_load : float
-            As of `pressure`.
+            As in `pressure`.
         """
         return _carried(self, half_width, rim_load)
 
     def pressure(self, x: Array, half_width: float, rim_load: float) -> Array:
-        """Return the pressure [Pa], as of `LineFoundation.pressure`."""
+        """Return the pressure [Pa], as in `LineFoundation.pressure`."""
         carried = self.carried(half_width, rim_load)
         found = self.medium.modulus * pressure_of_modes(carried.modes, half_width, x, carried.edge)
         if carried.own is None:
@@ -373,7 +373,7 @@ class LayeredLineFoundation(LineBed):
         return np.asarray(found)
 
     def mean_pressures(self, edges: Array, half_width: float, rim_load: float) -> Array:
-        """Return the mean pressure [Pa] between places, as of `LineBed.mean_pressures`."""
+        """Return the mean pressure [Pa] between places, as in `LineBed.mean_pressures`."""
         carried = self.carried(half_width, rim_load)
         if carried.own is None:
             return LineBed.mean_pressures(self, edges, half_width, rim_load)
@@ -385,7 +385,7 @@ class LayeredLineFoundation(LineBed):
         return np.asarray(self.medium.modulus / np.pi * np.diff(borne) / np.diff(edges))
 
     def shear_compliance(self, edges: Array) -> Array:
-        """Return how far tractions move the middles of elements along, as of `LineBed.shear_compliance`."""
+        """Return how far tractions move the middles of elements along, as in `LineBed.shear_compliance`."""
         far = 0.5 * (edges[1:] + edges[:-1])[:, None] - edges
         octave = int(octaves(self.medium.along_response, edges[-1:])[0])
         unit = self.medium.along_response.smooth * 2.0**octave
@@ -394,7 +394,7 @@ class LayeredLineFoundation(LineBed):
         return np.asarray(LineBed.shear_compliance(self, edges) + added)
 
     def hat_compliance(self, count: int, spacing: float, reference: float) -> Array:
-        """Return the displacement [m] by a hat of tractions, as of `LineBed.hat_compliance`."""
+        """Return the displacement [m] by a hat of tractions, as in `LineBed.hat_compliance`."""
         response, away = self.medium.along_response, spacing * np.arange(count + 1.0)
         found = _felt(response, away[-1])
         evened = np.sinc(found.k * spacing / (2.0 * np.pi)) ** 2  # the transform of a hat, over its area
@@ -405,7 +405,7 @@ class LayeredLineFoundation(LineBed):
         return np.asarray(plain + 2.0 / np.pi * self.along_share * spacing * felt)
 
     def slopes(self, part: Wave, nodes: Array, x: Array) -> Array:
-        """Return slopes of the surfaces by tractions straight between nodes, as of `LineBed.slopes`."""
+        """Return slopes of the surfaces by tractions straight between nodes, as in `LineBed.slopes`."""
         names = {Wave.NORMAL: "response", Wave.ALONG: "along_response", Wave.COUPLING: "coupling_response"}
         response: WaveResponse = getattr(self.medium, names[part])  # a layer that slides refuses some
         far = x[:, None] - nodes
@@ -419,14 +419,14 @@ class LayeredLineFoundation(LineBed):
         return LineBed.slopes(self, part, nodes, x) + 2.0 / np.pi * by_hats(lifted, nodes)
 
     def drawn(self, x: Array, half_width: float) -> Array:
-        """Return how far the pressure moves the first surface beyond the second [m], as of `LineBed.drawn`."""
+        """Return how far the pressure moves the first surface beyond the second [m], as in `LineBed.drawn`."""
         response = self.medium.coupling_response
         found = _felt(response, max(half_width, float(np.max(np.abs(x)))))
         weights = -2.0 / np.pi * found.weights * self.transform(found.k, self.carried(half_width, 0.0))
         return LineBed.drawn(self, x, half_width) + np.sin(np.multiply.outer(x, found.k)) @ weights
 
     def stuck_compliance(self, half_width: float, unit: float) -> float:
-        """Return the displacement of a strip that sticks, as of `LineBed.stuck_compliance`."""
+        """Return the displacement of a strip that sticks, as in `LineBed.stuck_compliance`."""
         response, one = self.medium.along_response, np.array([half_width])
         found = _felt(response, half_width)
         punch = strip_responses(response, one, lambda a, k: np.zeros((a.size, k.size)), np.zeros(1)).punch[0]
@@ -436,7 +436,7 @@ class LayeredLineFoundation(LineBed):
         return LineBed.stuck_compliance(self, half_width, unit) + 2.0 / np.pi * self.along_share * felt
 
     def punch_edges(self, half_width: Array) -> tuple[Array, Array]:
-        """Return how steep flat punches are that press and that push, as of `LineBed.punch_edges`."""
+        """Return how steep flat punches are that press and that push, as in `LineBed.punch_edges`."""
         pressed, pushed = (
             strip_punches.edge(of, half_width) for of in (self.medium.response, self.medium.along_response)
         )
@@ -483,7 +483,7 @@ class LayeredLineFoundation(LineBed):
         return np.asarray(along - 1j * self.pressure(x, half_width, rim_load))
 
     def potential(self, x: Array, z: Array, half_width: float, rim_load: float) -> tuple[Array, Array]:
-        """Return the potential F [Pa] and F' [Pa/m] of the half-plane below the surface, as of `LineFoundation`."""
+        """Return the potential F [Pa] and F' [Pa/m] of the half-plane below the surface, as in `LineFoundation`."""
         carried = self.carried(half_width, rim_load)
         whole, slope = potential_of_modes(carried.modes, half_width, x + 1j * z)
         whole, slope = self.medium.modulus * whole, self.medium.modulus * slope
@@ -552,7 +552,7 @@ class PeriodicLayers(LayeredLineFoundation):
         return math.pi / self.pitch * float(from_line(np.array(place), self.pitch))
 
     def felt(self, phase: float, across: float, count: int) -> Waves:
-        """Return the waves of the pitch, and M / m, as of `strip_harmonics.harmonics`."""
+        """Return the waves of the pitch, and M / m, as in `strip_harmonics.harmonics`."""
         response = self.medium.response
         if has_tail(response):
             return harmonics(response, self.pitch, phase, across, count)
@@ -609,7 +609,7 @@ class PeriodicLayers(LayeredLineFoundation):
 
     @property
     def alike(self) -> tuple[object, ...]:
-        """As of `LayeredLineFoundation`, with the pitch."""
+        """As in `LayeredLineFoundation`, with the pitch."""
         return (self.profile, self.pitch, *in_own_lengths(self.medium.response))
 
     def solved(self, half_width: Array) -> StripResponse:

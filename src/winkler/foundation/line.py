@@ -137,7 +137,7 @@ class LineFoundation(LineBed):
         return LineFoundation(profile, self.medium)
 
     def zoned(self, strength: float, half_width: float, outer: float) -> ZonedBed:
-        """Return the bed with the attraction beside a strip, as of `LineBed.zoned`."""
+        """Return the bed with the attraction beside a strip, as in `LineBed.zoned`."""
         return ZonedBed(self.profile, self.medium, strength, half_width, outer)
 
     def zone_start(self, half_width: Array, reach: float, strength: float) -> Array:
@@ -149,18 +149,18 @@ class LineFoundation(LineBed):
         return span
 
     def zone_gap(self, half_width: Array, span: Array, strength: float) -> tuple[Array, Array]:
-        """Return the distance of the surfaces where an attraction ends, as of `LineBed.zone_gap`."""
+        """Return the distance of the surfaces where an attraction ends, as in `LineBed.zone_gap`."""
         apart, opening = _apart(self, half_width, span)
         whole, by_end = _pulled(half_width, span)
         factor = 4.0 * strength / (math.pi * self.medium.modulus)
         return apart + factor * whole, (opening + factor * by_end) * span / np.hypot(half_width, span)
 
     def zone_load(self, half_width: Array, span: Array, strength: float) -> Array:
-        """Return the load per length over E* of strip and attraction, as of `LineBed.zone_load`."""
+        """Return the load per length over E* of strip and attraction, as in `LineBed.zone_load`."""
         return np.asarray(self.load_profile(half_width) - 2.0 * strength / self.medium.modulus * span)
 
     def zone_load_slope(self, half_width: Array, span: Array, strength: float) -> Array:
-        """Return its derivative by the half-width, as of `LineBed.zone_load_slope`."""
+        """Return its derivative by the half-width, as in `LineBed.zone_load_slope`."""
         a, growth = half_width, self.load_profile_slope(half_width)
         factor = 4.0 * strength / (math.pi * self.medium.modulus)
         opening, by_end = _apart(self, a, span)[1], _pulled(a, span)[1]
@@ -176,7 +176,7 @@ class LineFoundation(LineBed):
         Parameters
         ----------
         x : ndarray
-            Places on the surface [m], on either side.
+            Positions on the surface [m], on either side.
         half_width : float
             a [m].
         rim_load : float
@@ -195,7 +195,7 @@ class LineFoundation(LineBed):
         return np.asarray(self.medium.modulus * part)
 
     def mean_pressures(self, edges: Array, half_width: float, rim_load: float) -> Array:
-        """Return the mean pressure [Pa] between places, as of `LineBed.mean_pressures`."""
+        """Return the mean pressure [Pa] between places, as in `LineBed.mean_pressures`."""
         if not self.hertzian:
             return LineBed.mean_pressures(self, edges, half_width, rim_load)
         angles = np.arcsin(np.minimum(edges / half_width, 1.0))
@@ -220,7 +220,7 @@ class LineFoundation(LineBed):
         return np.asarray((apart - 2.0 / math.pi * rim_load * logarithm).reshape(np.shape(x)))
 
     def drawn(self, x: Array, half_width: float) -> Array:
-        """Return how far the pressure moves the first surface beyond the second [m], as of `LineBed.drawn`."""
+        """Return how far the pressure moves the first surface beyond the second [m], as in `LineBed.drawn`."""
         if not self.hertzian:
             return LineBed.drawn(self, x, half_width)
         level = -self.mismatch * half_width**2 / (2.0 * self._round)  # 2 beta p0 a / E* times 1/2
@@ -251,7 +251,7 @@ class LineFoundation(LineBed):
         x, z : ndarray, (m,)
             Places [m], x not negative, z positive.
         half_width, rim_load : float
-            As of `pressure`.
+            As in `pressure`.
         """
         zeta = x + 1j * z
         root = np.sqrt(zeta - half_width) * np.sqrt(zeta + half_width)

@@ -88,7 +88,7 @@ class MeasuredMedium:
 
 @value
 class MeasuredBed:
-    """A spring foundation with measured or computed stiffness and gap.
+    """A spring foundation (`bed`) with measured or computed stiffness and gap.
 
     Parameters
     ----------
@@ -137,7 +137,7 @@ class MeasuredBed:
     def from_curve(
         cls, depth: ArrayLike, force: ArrayLike, modulus: float, *, mindlin_ratio: float = 0.0, disc: bool = False
     ) -> MeasuredBed:
-        """Return the bed behind one measured or computed force curve.
+        """Return the spring foundation that reproduces one measured or computed force curve.
 
         A convex curve is fitted (`winkler.numerics.panels.convex_spline`), k is its slope, and a = k / (2 modulus).
 
@@ -146,7 +146,7 @@ class MeasuredBed:
         depth, force : array_like, (n,)
             d [m] and F [N] of the loading, from first touch on, in any order, at least six different depths.
         modulus : float
-            E* [Pa]. It scales radii alone: forces and stiffnesses at given depths do not depend on it.
+            E* [Pa]. The modulus affects only the radii; forces and stiffnesses at given depths do not depend on it.
         mindlin_ratio, disc : optional
             As for the class.
 
@@ -195,7 +195,7 @@ class MeasuredBed:
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """What the points are, and how well they were fitted."""
+        """A note on the origin of the points and the quality of the fit."""
         how = f"; the force curve is met within {self.scatter:.3g} N (root mean square)" if self.scatter else ""
         return (
             Note(

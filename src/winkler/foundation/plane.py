@@ -34,14 +34,14 @@ class PlaneFoundation(OfShape):
     Parameters
     ----------
     plane_profile : Profile
-        Its height, read as a function of x, is g(x).
+        A profile whose height as a function of x is g(x).
     medium : Medium
         Any medium; body and separation are computed for homogeneous, graded or layered half-spaces.
 
     Raises
     ------
     InvalidInput
-        If the medium is none.
+        If the argument is not a medium.
     """
 
     plane_profile: Profile

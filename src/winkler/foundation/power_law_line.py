@@ -63,7 +63,7 @@ class PowerLawLineFoundation(LineBed):
     Parameters
     ----------
     profile : Profile
-        The gap f between the undeformed bodies, as of `LineFoundation`.
+        The gap f between the undeformed bodies, as in `LineFoundation`.
     medium : GradedHalfSpace
         Both bodies, E = E_0 (z/c_0)^k.
 
@@ -165,7 +165,7 @@ class PowerLawLineFoundation(LineBed):
         return self.zone_gap(half_width, half_width, strength)[0]
 
     def zone_gap(self, half_width: Array, span: Array, strength: float) -> tuple[Array, Array]:
-        """Refused: an attraction with a range is not known here."""
+        """Not supported: an attraction with a range is not known here."""
         raise OutsideValidity(
             "An attraction with a range beside a strip on a GradedHalfSpace is not implemented; give ShortRange(work)."
         )
@@ -255,7 +255,7 @@ class PowerLawLineFoundation(LineBed):
         Parameters
         ----------
         half_width, rim_load : ndarray
-            As of `pressure`.
+            As in `pressure`.
 
         Raises
         ------
@@ -275,7 +275,7 @@ class PowerLawLineFoundation(LineBed):
         return np.where(a > 0.0, load / self.punch_stiffness(touching) + mean, 0.0)
 
     def pressure(self, x: Array, half_width: float, rim_load: float) -> Array:
-        """Return the pressure [Pa], as of `LineBed.pressure`; finite at a kink if k > 0."""
+        """Return the pressure [Pa], as in `LineBed.pressure`; finite at a kink if k > 0."""
         k, away = self.exponent, np.abs(np.asarray(x, dtype=float))
         if isinstance(self.profile, Paraboloid) and rim_load == 0.0:
             # P' = (2 + k) P(1) c^(1+k), of which c alone is left over c^k

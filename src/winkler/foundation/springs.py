@@ -35,7 +35,7 @@ class Springs:
     position : ndarray, (n,)
         Places x of the springs [m], ascending.
     gap : ndarray, (n,)
-        g(x) [m] under which they stand, ascending.
+        Gap g(x) above each spring [m], ascending.
     stiffness : ndarray, (n,)
         Normal stiffness of every spring [N/m].
     mindlin_ratio : ndarray, (n,)
@@ -66,16 +66,17 @@ class Springs:
         ----------
         bed : Bed
         reach : float
-            Maximum x [m], within the known range of the foundation and its rim.  Best the radius of the widest contact.
+            Maximum x [m], within the known range of the foundation and its rim.  The best value is the radius of the
+            widest contact.
         count : int
-            How many, at least two; under a flat end only the last one there is kept.
+            Number of springs, at least two. Of the springs under a flat end only the outermost is kept.
 
         Raises
         ------
         InvalidInput
             If reach is not positive or there are less than two.
         OutsideValidity
-            If the bed is not known that far, or g falls.
+            If the foundation is not defined up to `reach`, or g decreases.
         """
         if not (reach > 0.0 and count >= 2):
             raise InvalidInput(
@@ -115,8 +116,8 @@ class Springs:
     def force(self, depth: float) -> float:
         """Normal force at a depth [N].
 
-        Second order in the distance of the springs, exact when one of them just touches; beyond the last one only
-        where the bed ends with a rim.
+        The error is of second order in the spring distance, and zero when a spring just touches. Contacts beyond the
+        last spring require a rim there.
         """
         return float(self.stiffness @ np.maximum(depth - self.gap, 0.0))
 

@@ -20,14 +20,14 @@ FIELD_NAMES = tuple(field.name for field in dataclasses.fields(Contacts))
 
 
 def write_contacts(contacts: Contacts, path: str | os.PathLike[str]) -> Path:
-    """Save contacts with their memory; a file of that name is replaced only once the new one is whole.
+    """Save contacts with their load history. An existing file is replaced only after the new one is complete.
 
     Parameters
     ----------
     contacts : Contacts
-        The contacts; saved to the last digit.
+        The contacts, saved with all digits.
     path : str or path
-        The file, of NumPy's kind ``.npz``.
+        Path of the file, in NumPy's format ``.npz``.
 
     Returns
     -------

@@ -69,24 +69,26 @@ def read_curve(
         of Agilent, Keysight, KLA and MTS); or with the extra ``afm`` what afmformats reads: JPK, NT-MDT, Asylum, AFM
         workshop and others.
     spring_constant : float, optional
-        Of the cantilever [N/m]; needed where the file does not state it; replaces that of the file.
+        Spring constant of the cantilever [N/m]. It replaces the value in the file, and is required if the file has
+        none.
     sensitivity : float, optional
         Deflection per volt [m/V], likewise.
     units : mapping of str to str, optional
-        Units of columns that the file does not state: ``{"position": "nm", "force": "uN", "time": "s"}``.
+        Units of columns for which the file states none: ``{"position": "nm", "force": "uN", "time": "s"}``.
     columns : mapping of str to int, optional
-        Of a table without names, the number of each column from 1: ``{"depth": 1, "force": 2, "time": 3}``.
+        For a table without column names: the number of each column, counted from 1: ``{"depth": 1, "force": 2, "time":
+        3}``.
 
     Returns
     -------
     ForceCurve
-        Its ``reading`` says what was taken for what.
+        The curve; its ``reading`` states how the file was interpreted.
 
     Raises
     ------
     InvalidInput
-        If the file cannot be read, needs a number or unit that it does not hold, contradicts a given unit, or holds
-        several curves.
+        If the file cannot be read, lacks a required number or unit, contradicts a given unit, or contains several
+        curves.
     """
     curves = list(
         read_curves(path, spring_constant=spring_constant, sensitivity=sensitivity, units=units, columns=columns)

@@ -49,9 +49,9 @@ def write_indenter(indenter: CalibratedIndenter, path: str | os.PathLike[str], *
     ----------
     indenter : CalibratedIndenter
     path : str or path
-        Of the file; one that is there is replaced.
+        Path of the file; an existing file is replaced.
     made_from : str, optional
-        A line that says where it comes from.
+        A line of text that states its origin.
     """
     write_whole_text(Path(path), indenter_text(indenter, made_from=made_from))
 
@@ -164,7 +164,7 @@ def read_indenter(path: str | os.PathLike[str]) -> CalibratedIndenter:
     Raises
     ------
     InvalidInput
-        If the file does not exist, is no such file, or a number is not allowed.
+        If the file does not exist, is not such a file, or contains a number that is not allowed.
     """
     with sentence_of(path, "no calibrated indenter can be read from it", "calibrate one with `winkler fit`"):
         raw = tomllib.loads("\n".join(lines_of(path, "a calibrated indenter as a calibration writes it")))

@@ -56,17 +56,17 @@ def write_surface_interaction(
     Parameters
     ----------
     contact : SurfaceContactSolution
-        A periodic map between homogeneous half-spaces under at least two rising loads.  The straight lines that the
-        programs lay between the rows are as good as the loads are close.
+        A periodic map between homogeneous half-spaces under at least two rising loads.  The programs interpolate
+        linearly between the rows, so give closely spaced loads.
     path : str or path
         The file; its ending must be ``.inp``.
     program : {"abaqus", "calculix"}
-        Who reads it: the lines of friction and heat differ.
+        The program that reads the file; the keywords for friction and heat differ.
     name : str, optional
         Of the surface interaction.
     conductors : HeatConductors, optional
-        What the bodies conduct: adds ``*GAP CONDUCTANCE`` over the pressure, of the spots alone.  Thick conductors,
-        without platings or a resistance between them.
+        Thermal conductors: adds ``*GAP CONDUCTANCE`` as a function of pressure, for the contact spots only. Both must
+        be thick, without platings or interface resistance.
     law : Coulomb, optional
         Adds ``*FRICTION``, with the tangential stiffness of the sticking joint under the maximum load: the stick slope
         of CalculiX, the elastic slip of Abaqus.
@@ -80,8 +80,8 @@ def write_surface_interaction(
     Raises
     ------
     InvalidInput
-        If the ending, program, name or unit is another one, the contact is no contact of a periodic map or its loads
-        do not rise, or the file cannot be written.
+        If the file extension, program, name or unit is not supported, the map is not periodic, the loads do not rise,
+        or the file cannot be written.
     OutsideValidity
         If the medium has layers, the surfaces touch everywhere (the joint is as stiff as one body), or the
         conductors are plated.

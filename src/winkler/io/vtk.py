@@ -56,7 +56,7 @@ def write_vtk(
     *,
     around: int = HALF_PLANE,
 ) -> Path:
-    """Write fields inside the bodies as a structured grid of VTK, or many over the time.
+    """Write fields inside the bodies, or a time series of fields, as structured grids of VTK.
 
     Parameters
     ----------
@@ -68,8 +68,8 @@ def write_vtk(
         The file; its ending must be ``.vtk`` (legacy format) or ``.vts`` (XML); of a time series ``.pvd``, beside
         which the states are written as ``NAME_0000.vts``, ``NAME_0001.vts`` ...
     around : int, optional
-        For axisymmetric fields: planes through the axis, evenly over the full turn, the first one repeated at the end
-        so that the body is closed.  1, unless given: only the half-plane y = 0, x > 0.
+        For axisymmetric fields: planes through the axis, evenly spaced over the full turn; the first one is repeated
+        at the end to close the body.  The default 1 writes only the half-plane y = 0, x > 0.
 
     Returns
     -------
@@ -83,9 +83,10 @@ def write_vtk(
 
     Notes
     -----
-    Written are the stress as a tensor, the displacement as a vector, and von Mises' stress and the maximum shear
-    stress; of a current its density, potential and temperature; of heat its flux and the excess temperature.  z of a
-    tensor or vector in the second body (z < 0) points as in the first one: out of the second body.
+    The file contains the stress tensor, the displacement vector, the von Mises stress and the maximum shear stress.
+    For a current it contains current density, potential and temperature; for heat the heat flux and the excess
+    temperature.  The z axis of tensors and vectors in the second body (z < 0) has the same direction as in the first:
+    out of the second body.
 
     References
     ----------

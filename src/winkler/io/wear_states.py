@@ -60,7 +60,7 @@ def write_wear(states: Sequence[State], path: str | os.PathLike[str]) -> Path:
     states : sequence of WearState, FrettingState, LineWearState, LineFrettingState or SurfaceWearState
         Of one problem, in their order; at least one.
     path : str or path
-        The file, of NumPy's kind ``.npz``.
+        Path of the file, in NumPy's format ``.npz``.
 
     Returns
     -------

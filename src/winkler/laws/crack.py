@@ -77,7 +77,7 @@ class RateDependentWork:
         return np.asarray(self.work * (1.0 + (v / self.reference_speed) ** self.exponent))
 
     def speed(self, release: ArrayLike) -> Array:
-        """Return how fast a crack opens [m/s] that is driven by energy release rates [J/m^2]; it rests below w_0."""
+        """Return the crack speed [m/s] at energy release rates [J/m^2]; it is zero below w_0."""
         excess = np.maximum(np.asarray(release, dtype=float) / self.work - 1.0, 0.0)
         with np.errstate(over="ignore"):  # beyond all numbers it is infinite
             return np.asarray(self.reference_speed * excess ** (1.0 / self.exponent))
@@ -136,9 +136,9 @@ class SaturatingWork:
         return np.asarray(self.work + (self.fast_work - self.work) * ratio / (1.0 + ratio))
 
     def speed(self, release: ArrayLike) -> Array:
-        """Return how fast a crack opens [m/s] that is driven by energy release rates [J/m^2].
+        """Return the crack speed [m/s] at energy release rates [J/m^2].
 
-        It rests below w_0, and runs infinitely fast from w_inf on.
+        It is zero below w_0 and infinite from w_inf on.
         """
         releases = np.asarray(release, dtype=float)
         excess, missing = np.maximum(releases - self.work, 0.0), np.maximum(self.fast_work - releases, 0.0)

@@ -68,7 +68,7 @@ class WiedemannFranz:
     Parameters
     ----------
     lorenz_number : float, optional
-        L [V^2/K^2], positive; 2.44e-8, Sommerfeld's value, unless given.
+        L [V^2/K^2], positive; 2.44e-8, Sommerfeld's value, by default.
 
     Raises
     ------
@@ -84,14 +84,14 @@ class WiedemannFranz:
     lorenz_number: Annotated[Positive, Advice("2.44e-8 for most metals")] = 2.44e-8
 
     def temperature(self, ambient: float, work: Array) -> Array:
-        """Return T [K] where the heat current per electric current, integrated over the voltage, came to `work`.
+        """Return T [K] at the place where the integral of heat current per electric current has the value `work`.
 
         Parameters
         ----------
         ambient : float
             T_0 [K] at the end of the body.
         work : ndarray
-            Integral of heat current over electric current, over the voltage, from that end on [V^2].
+            Integral over the voltage of the ratio of heat current to electric current, from that end [V^2].
         """
         return np.sqrt(ambient**2 + 2.0 * np.asarray(work) / self.lorenz_number)
 
@@ -105,7 +105,7 @@ class WiedemannFranz:
         temperature : float or ndarray
             [K], not below that of the bodies.
         ambient : float, optional
-            T_0 of the bodies [K], 20 degrees Celsius unless given.
+            T_0 of the bodies [K], 20 degrees Celsius by default.
 
         Raises
         ------

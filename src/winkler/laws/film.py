@@ -41,7 +41,7 @@ class ThermalInterface:
     Parameters
     ----------
     interface_conductance : float, optional
-        Heat flux per drop of temperature, h [W/(m^2 K)], positive; infinite (the default) for a perfect touch.
+        Heat flux per temperature drop, h [W/(m^2 K)], positive; infinite (the default) for perfect thermal contact.
 
     Raises
     ------

@@ -57,9 +57,9 @@ class LinearSlipWeakening:
     static_coefficient : float
         Friction coefficient mu_s of points that have not slipped [-], not below the kinetic one.
     kinetic_coefficient : float
-        Friction coefficient mu_k from the distance on [-], at least 1e-60.
+        Friction coefficient mu_k at and beyond the slip distance [-], at least 1e-60.
     distance : float
-        Slip D over which it falls [m], positive.
+        Slip distance D over which the coefficient falls [m], positive.
 
     Raises
     ------
@@ -91,11 +91,11 @@ class LinearSlipWeakening:
         return np.asarray(self.static_coefficient - self._drop * np.minimum(slip / self.distance, 1.0))
 
     def fall(self, slip: Array) -> Array:
-        """Return by how much mu falls with slip [1/m]."""
+        """Return the decrease of mu per slip distance [1/m]."""
         return np.asarray(np.where(slip < self.distance, self._drop / self.distance, 0.0))
 
     def lost(self, slip: Array) -> Array:
-        """Return the integral of mu over the slip up to here [m]: what is lost per area, over the pressure."""
+        """Return the integral of mu over the slip [m]: the dissipated energy per area, over the pressure."""
         part = np.minimum(slip, self.distance)
         fallen = 0.5 * part * part / self.distance + (slip - part)
         return np.asarray(self.static_coefficient * slip - self._drop * fallen)
@@ -118,7 +118,7 @@ class ExponentialSlipWeakening:
     kinetic_coefficient : float
         Friction coefficient mu_k after much slip [-], at least 1e-60.
     distance : float
-        Slip D after which 1/e of the fall is left [m], positive.
+        Slip D [m] after which the difference from mu_k has fallen to 1/e, positive.
 
     Raises
     ------
@@ -150,7 +150,7 @@ class ExponentialSlipWeakening:
         return self.kinetic_coefficient + self._drop * np.exp(-slip / self.distance)
 
     def fall(self, slip: Array) -> Array:
-        """Return by how much mu falls with slip [1/m]."""
+        """Return the decrease of mu per slip distance [1/m]."""
         return self._drop / self.distance * np.exp(-slip / self.distance)
 
     def lost(self, slip: Array) -> Array:
@@ -173,7 +173,7 @@ class FallingFriction:
     kinetic_coefficient : float
         Friction coefficient mu_k of fast slip [-], at least 1e-60.
     velocity : float
-        Slip velocity v_0 at which 1/e of the fall is left [m/s], positive.
+        Slip velocity v_0 [m/s] at which the difference from mu_k has fallen to 1/e, positive.
 
     Raises
     ------
@@ -212,7 +212,7 @@ class FallingFriction:
         return self.kinetic_coefficient + drop * np.exp(-velocity / self.velocity)
 
     def fall(self, velocity: Array) -> Array:
-        """Return by how much mu falls with the slip velocity [s/m]."""
+        """Return the decrease of mu per slip velocity [s/m]."""
         return (self.static_coefficient - self.kinetic_coefficient) / self.velocity * np.exp(-velocity / self.velocity)
 
 

@@ -105,7 +105,7 @@ def worn_by(law: WearLaw, pressure: Array) -> tuple[Array, Array]:
     Raises
     ------
     InvalidInput
-        If a law of one's own returns anything but one number for each pressure, not negative and finite.
+        If a user-defined law returns anything but one number for each pressure, not negative and finite.
     """
     if isinstance(law, PairWear):
         return _checked_depths(law.first, pressure), _checked_depths(law.second, pressure)

@@ -59,9 +59,9 @@ class Path:
     Parameters
     ----------
     time : ndarray, (steps,)
-        When [s], never falling.
+        Times of the points [s], never decreasing.
     normal : Depth or Force
-        ``(steps,)``, or one number that holds all the time.
+        ``(steps,)``, or one constant number.
     lateral : Shift, ShearForce, Angle or Torque, optional
         Lateral load ``(steps,)``, in planar motion ``(steps, 2)``, or one constant number; none by default.
 
@@ -93,9 +93,9 @@ class Path:
         Parameters
         ----------
         normal : Depth or Force
-            ``(steps,)``, or one number that holds all the time.
+            ``(steps,)``, or one constant number.
         lateral : Shift, ShearForce, Angle or Torque
-            ``(steps,)``, in the plane ``(steps, 2)``, or one number that holds all the time.
+            ``(steps,)``, in planar motion ``(steps, 2)``, or one constant number.
 
         Returns
         -------
@@ -125,18 +125,18 @@ class Path:
         frequency: float = 1.0,
         count: int = POINTS_PER_CYCLE,
     ) -> Path:
-        """Return a harmonic oscillation along the surface under a steady normal load, from the middle on.
+        """Return a harmonic oscillation along the surface under constant normal load, from its middle position.
 
         Parameters
         ----------
         depth, force : float
             The steady normal load, a depth [m] or a force [N]: one of both.
         amplitude : float, Shift, ShearForce, Angle or Torque
-            How far to each side; a plain number is a shift [m].
+            Amplitude of the oscillation; a plain number is a displacement [m].
         cycles : float, optional
             How many.
         frequency : float, optional
-            Cycles per second [Hz].
+            Frequency [Hz].
         count : int, optional
             Points per cycle, evenly spaced in time, in addition to the reversals.
 

@@ -86,18 +86,18 @@ class Start:
 
 @value
 class Ramp:
-    """Go straight to a load.
+    """A linear change to a given load.
 
     Parameters
     ----------
     normal : Depth, Force or Unchanged, optional
-        Where to, one number.
+        Final load: one number.
     lateral : Shift, ShearForce, Angle, Torque or Unchanged, optional
-        Where to, one number, in the plane two.
+        Final load: one number, in planar motion two.
     duration : float, optional
         Duration [s], zero or more.
     count : int, optional
-        Into how many equal parts the path is divided; at least one.
+        Number of equal parts into which the step is divided; at least one.
 
     Raises
     ------
@@ -131,9 +131,9 @@ class Hold:
     Parameters
     ----------
     duration : float, optional
-        How long [s], zero or more.
+        Duration [s], zero or more.
     count : int, optional
-        At how many points of time, where viscoelastic bodies are to be watched.
+        Number of times at which states are returned, for viscoelastic bodies.
 
     Raises
     ------
@@ -166,13 +166,13 @@ class Oscillate:
     lateral : Shift, ShearForce, Angle, Torque or Unchanged, optional
         Amplitude along the surface; in planar motion two numbers, which give the direction of the oscillation.
     cycles : float, optional
-        How many, along the surface.
+        Number of cycles along the surface.
     frequency : float, optional
         f [Hz], along the surface.
     ratio : float, optional
         Frequency of the normal load over that along the surface.
     phase : float, optional
-        By which the lateral load is ahead [rad].
+        Phase by which the lateral load is ahead [rad].
     count : int, optional
         Points per cycle of the faster of both oscillations, in addition to the reversals.
 
@@ -221,7 +221,7 @@ class Circle:
     cycles : float, optional
         How many times.
     frequency : float, optional
-        Rounds per second [Hz].
+        Revolutions per second [Hz].
     count : int, optional
         Points of one round.
 
@@ -248,14 +248,14 @@ class Circle:
 
 @value
 class Follow:
-    """Follow another path, such as a measured one, with its own loads; its first moment is now.
+    """Follow another path, such as a measured one, with its own loads. Its time begins at the end of the previous step.
 
     Parameters
     ----------
     path : Path
         With loads of the same kinds, and the same number of directions along the surface.
     cycles : int, optional
-        How many times, one after the other.
+        Number of repetitions.
 
     Raises
     ------
@@ -272,7 +272,7 @@ class Follow:
         affordable("Follow", "points", self.cycles * self.path.time.size, PATH_POINTS)
 
     def rows(self, across: float, along: Array) -> PathRows:
-        """Return its points; where the present one is its first, that is not stated twice."""
+        """Return its points, without the first one if it equals the present point."""
         path = self.path
         plane = path.along if path.in_plane else np.stack([path.along, np.zeros(path.time.size)], axis=1)
         times = path.time - path.time[0]

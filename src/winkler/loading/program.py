@@ -21,7 +21,7 @@ __all__ = ["Program"]
 
 @value
 class Program(Path):
-    """A path of loads defined by steps.
+    """A path of loads that is defined as a sequence of steps.
 
     Parameters
     ----------

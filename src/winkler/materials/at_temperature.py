@@ -20,16 +20,16 @@ class AtTemperature(ViscoelasticSolid):
     Parameters
     ----------
     solid : ViscoelasticSolid
-        As it is at the reference temperature of the law.
+        The solid at the reference temperature of the law.
     law : WilliamsLandelFerry or Arrhenius
-        How the factor follows from the temperature.
+        Law for the factor as a function of temperature.
     temperature : float
         T [K], positive.
 
     Raises
     ------
     InvalidInput
-        If the solid does not relax, the law is none, or the temperature is not positive.
+        If the solid is not viscoelastic, the law has the wrong type, or the temperature is not positive.
     OutsideValidity
         If the temperature is so low that the law gives no value.
 
@@ -75,6 +75,6 @@ class AtTemperature(ViscoelasticSolid):
 
     @property
     def span(self) -> tuple[float, float]:
-        """From which time on and up to which the series is the solid [s], at this temperature."""
+        """Range of times [s] in which the series represents the solid, at this temperature."""
         shortest, longest = self.solid.span
         return shortest * self.factor, longest * self.factor

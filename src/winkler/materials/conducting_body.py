@@ -36,7 +36,7 @@ class Plated:
     thickness : float
         h [m], positive.
     on : ElectricalConductor, ThermalConductor or Plated
-        Below the plating; of the same sort.  A `Plated` is a body that has been plated before.
+        The body below the plating, of the same type of conductor. A `Plated` body has several platings.
 
     Raises
     ------
@@ -65,11 +65,11 @@ class Rod:
     Parameters
     ----------
     conductor : ElectricalConductor or ThermalConductor
-        What it is made of.
+        Material of the layer.
     radius : float
         b [m], positive; the contact must be narrower.
     length : float
-        Distance from the contact up to which voltage or temperature apply [m], positive; at least a few radii.
+        Distance from the contact to the end at which voltage or temperature are given [m]; at least a few radii.
 
     Raises
     ------

@@ -12,7 +12,7 @@ __all__ = ["ElectricalConductor", "ThermalConductor"]
 
 @value
 class ElectricalConductor:
-    r"""A solid that conducts electric current, :math:`\rho(T)=\rho_0\,(1+\alpha\,(T-T_0))`.
+    r"""An electrical conductor with the resistivity :math:`\rho(T)=\rho_0\,(1+\alpha\,(T-T_0))`.
 
     Parameters
     ----------

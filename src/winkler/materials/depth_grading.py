@@ -79,16 +79,16 @@ class _SmoothGrading:
 
 @value
 class ExponentialGrading(_SmoothGrading):
-    """E(z) = deep + (surface - deep) exp(-z / depth_scale).
+    """An exponential grading, E(z) = deep + (surface - deep) exp(-z / depth_scale).
 
     Parameters
     ----------
     surface_young, deep_young : float
-        At the surface and far below [Pa].
+        Young's modulus at the surface and far below [Pa].
     depth_scale : float
-        Over which the difference falls to 1/e [m].
+        Depth over which the difference from `deep_young` falls to 1/e [m].
     poisson : float
-        The same everywhere [-].
+        Poisson's ratio [-], the same at every depth.
     """
 
     __words__ = words(depth_scale=("c_0", "m", "depth over which the difference of moduli falls to 1/e"))
@@ -108,7 +108,7 @@ class ExponentialGrading(_SmoothGrading):
         return self.deep_young + (self.surface_young - self.deep_young) * np.exp(-np.asarray(z) / self.depth_scale)
 
     def settled_at(self, tolerance: float) -> float:
-        """Depth below which E is settled [m]."""
+        """Depth below which E is constant within rounding [m]."""
         return self.depth_scale * self._lengths_to(tolerance)
 
     def in_units(self, modulus: float, length: float) -> ExponentialGrading:
@@ -124,13 +124,13 @@ class SigmoidalGrading(_SmoothGrading):
     Parameters
     ----------
     surface_young, deep_young : float
-        Above and far below the transition [Pa]; E = their mean at its middle.
+        Young's modulus above and far below the transition [Pa]; at its middle E is their mean.
     transition_depth : float
-        Of the middle of the transition [m].
+        Depth of the middle of the transition [m].
     transition_width : float
         E = surface + (deep - surface) / (1 + exp(-(z - depth) / width)) [m].
     poisson : float
-        The same everywhere [-].
+        Poisson's ratio [-], the same at every depth.
     """
 
     surface_young: PositiveNotTiny
@@ -151,7 +151,7 @@ class SigmoidalGrading(_SmoothGrading):
         return np.asarray(self.surface_young + (self.deep_young - self.surface_young) * step)
 
     def settled_at(self, tolerance: float) -> float:
-        """Depth below which E is settled [m]."""
+        """Depth below which E is constant within rounding [m]."""
         return self.transition_depth + self.transition_width * self._lengths_to(tolerance)
 
     def in_units(self, modulus: float, length: float) -> SigmoidalGrading:

@@ -58,7 +58,7 @@ class _FractionalSolid(FittedSolid):
 
     @property
     def span(self) -> tuple[float, float]:
-        """From which time on and up to which the series is the solid [s]."""
+        """Range of times [s] in which the series represents the solid."""
         return self.shortest, self.longest
 
     def _density(self, y: Array) -> Array:
@@ -121,7 +121,7 @@ def _greatest(error: Callable[[Array], Array], t: Array) -> float:
 
 @value
 class PowerLawSolid(_FractionalSolid):
-    r"""The springpot: its modulus is a power of time within a given range of times.
+    r"""A springpot: a solid whose modulus is a power of time within a given range of times.
 
     :math:`G(t)=G_0\,(t/t_0)^{-\alpha}`.
 
@@ -134,7 +134,7 @@ class PowerLawSolid(_FractionalSolid):
     exponent : float
         alpha [-], between 0 (elastic) and 1 (viscous), both excluded.
     shortest, longest : float
-        Span of times within which it holds [s].
+        Range of times in which the law holds [s].
     tolerance : float, optional
         Maximum relative error of the series there.
     poisson : float, optional
@@ -186,13 +186,13 @@ class FractionalZener(_FractionalSolid):
     relaxed_shear : float
         G_inf [Pa], zero or positive.
     shear : float
-        G_1 [Pa], positive: what relaxes.
+        G_1 [Pa], positive: the part of the modulus that relaxes.
     relaxation_time : float
         tau [s], positive.
     exponent : float
         alpha [-], between 0 and 1, both excluded; at 1 it would be `StandardSolid`.
     shortest, longest : float
-        Span of times within which it holds [s].
+        Range of times in which the law holds [s].
     tolerance : float, optional
         Maximum relative error of the series there.
     poisson : float, optional

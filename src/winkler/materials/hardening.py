@@ -24,7 +24,7 @@ class LinearHardening(Elastic):
     Parameters
     ----------
     young, poisson, strength : float
-        As of `Elastic`; the strength Y [Pa] is where yielding begins.
+        As in `Elastic`; the strength Y [Pa] is where yielding begins.
     plastic_modulus : float
         H [Pa], positive.
 
@@ -53,7 +53,7 @@ class PowerHardening(Elastic):
     Parameters
     ----------
     young, poisson, strength : float
-        As of `Elastic`; the strength Y [Pa] is where yielding begins.
+        As in `Elastic`; the strength Y [Pa] is where yielding begins.
     exponent : float
         n [-], from 0 (which does not harden) to 0.5.
 

@@ -24,7 +24,7 @@ class Layer:
     Parameters
     ----------
     solid : Elastic
-        What it is made of; incompressible (poisson = 0.5) is allowed.
+        Material of the layer; incompressible (poisson = 0.5) is allowed.
     thickness : float
         [m], positive.
 
@@ -52,12 +52,12 @@ class StackLayer:
     Parameters
     ----------
     solid : Elastic or TransverselyIsotropic
-        What it is made of; the axis of a transversely isotropic solid is the surface normal.
+        Material of the layer; the axis of a transversely isotropic solid is the surface normal.
     thickness : float
         [m], positive.
     bonded : bool, optional
         Whether it is bonded to the material below (the default).  If not, it slides there without friction, and does
-        not lift off: the interface passes on the normal stress and the normal displacement alone.
+        not lift off: the interface transmits normal stress and normal displacement only.
 
     Raises
     ------

@@ -67,7 +67,7 @@ class TabulatedProperty:
     """
 
     __words__ = words(
-        quantity=("", None, "word of the glossary that a number stands for"),
+        quantity=("", None, "word of the glossary for a number"),
         number=("", None, "a number in the glossary's SI unit"),
         source=("", None, "where a number stands"),
         spread=("", None, "least and greatest value of sources"),
@@ -83,16 +83,16 @@ class TabulatedProperty:
 class NamedMaterial:
     """The properties of a material from tables at room temperature.
 
-    Two or three digits: enough for an estimate and for comparing materials; alloying, heat treatment and curing change
-    moduli by percents, hardness and strength by factors. Where sources state a range, it stands beside the number; what
-    no source states is left out.
+    Values have two or three digits, enough for estimates and comparisons. Alloying, heat treatment and curing change
+    moduli by a few per cent, but hardness and strength by factors. Ranges are given where sources state them.
+    Properties without a source are omitted.
 
     Parameters
     ----------
     name : str
         Its name.
     sort : str
-        Which sort of it.
+        The variety of the material, such as its alloy or condition.
     figures : tuple of TabulatedProperty
         The known properties: ``young``, ``poisson``, ``strength``, ``hardness`` [Pa, -], ``density`` [kg/m^3],
         ``heat_capacity`` [J/(kg K)], ``conductivity`` [W/(m K)], ``resistivity`` [ohm m], ``temperature_coefficient``

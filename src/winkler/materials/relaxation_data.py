@@ -62,12 +62,12 @@ class RelaxationData(_MeasuredSolid):
     poisson : float, optional
         nu [-].
     reading : str, optional
-        How the file was read: what stands in it and was computed with, and rows that were averaged.
+        How the file was read: the columns used, and the rows that were averaged.
 
     Raises
     ------
     InvalidInput
-        If the rows differ in length, are too short, or hold what is not positive.
+        If the rows differ in length, are too short, or have values that are not positive.
 
     Examples
     --------
@@ -102,7 +102,7 @@ class CreepData(_MeasuredSolid):
     poisson : float, optional
         nu [-].
     reading : str, optional
-        How the file was read: what stands in it and was computed with, and rows that were averaged.
+        How the file was read: the columns used, and the rows that were averaged.
 
     Raises
     ------
@@ -142,7 +142,7 @@ class DynamicData(_MeasuredSolid):
     poisson : float, optional
         nu [-].
     reading : str, optional
-        How the file was read: what stands in it and was computed with, and rows that were averaged.
+        How the file was read: the columns used, and the rows that were averaged.
 
     Raises
     ------

@@ -18,7 +18,7 @@ class ViscoelasticLayer:
     Parameters
     ----------
     solid : ViscoelasticSolid
-        What it is made of, with a modulus right after a step and one after all time; incompressible is allowed.
+        Material of the layer, with finite moduli at short and long times. It may be incompressible.
     thickness : float
         [m], positive.
 

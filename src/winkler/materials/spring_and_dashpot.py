@@ -91,7 +91,7 @@ class StandardSolid(ViscoelasticSolid):
     relaxed_shear : float
         G_inf [Pa], positive.
     shear : float
-        G_1 [Pa], positive: what relaxes.
+        G_1 [Pa], positive: the part of the modulus that relaxes.
     relaxation_time : float
         tau [s], positive.
     poisson : float, optional

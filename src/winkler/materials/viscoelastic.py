@@ -42,7 +42,7 @@ class ViscoelasticSolid:
 
     @property
     def span(self) -> tuple[float, float]:
-        """From which time on and up to which the series is the solid [s]; all times unless it was fitted."""
+        """Range of times [s] in which the series represents the solid; all times unless it was fitted."""
         return 0.0, math.inf
 
     def relaxation(self, time: ArrayLike) -> Array:
@@ -178,7 +178,7 @@ class Prony(ViscoelasticSolid):
     Parameters
     ----------
     relaxed_shear : float
-        G_inf [Pa], zero of a fluid.
+        G_inf [Pa], zero for a fluid.
     shears : ndarray, (m,)
         G_i [Pa], positive.
     relaxation_times : ndarray, (m,)
@@ -236,7 +236,7 @@ class GeneralisedKelvin(ViscoelasticSolid):
     retardation_times : ndarray, (n,)
         lambda_k [s], positive.
     fluidity : float, optional
-        phi [1/(Pa s)], one over the viscosity with which it flows for ever.
+        phi [1/(Pa s)], the reciprocal of its viscosity in steady flow.
     poisson : float, optional
         nu [-].
 

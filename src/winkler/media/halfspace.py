@@ -149,7 +149,7 @@ class HalfSpace(HomogeneousMedium):
     first : Elastic or Rigid
         The body below, z > 0.
     second : Elastic or Rigid, optional
-        The body above, z < 0; rigid unless given.
+        The body above, z < 0; rigid by default.
 
     Raises
     ------
@@ -171,7 +171,7 @@ class HalfSpace(HomogeneousMedium):
 
     @classmethod
     def between(cls, first: Solid, second: Solid = RIGID) -> HalfSpace:
-        """Return the medium between two bodies; the second is rigid unless given."""
+        """Return the medium between two bodies; the second is rigid by default."""
         return cls(first, second)
 
     @property

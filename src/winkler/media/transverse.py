@@ -28,7 +28,7 @@ class TransverselyIsotropicHalfSpace(HomogeneousMedium):
     first : TransverselyIsotropic, Elastic or Rigid
         The body below, z > 0.
     second : TransverselyIsotropic, Elastic or Rigid, optional
-        The body above; rigid unless given.
+        The body above; rigid by default.
 
     Raises
     ------
@@ -48,11 +48,11 @@ class TransverselyIsotropicHalfSpace(HomogeneousMedium):
 
     @classmethod
     def between(cls, first: Body, second: Body = RIGID) -> TransverselyIsotropicHalfSpace:
-        """Return the medium between two bodies; the second is rigid unless given."""
+        """Return the medium between two bodies; the second is rigid by default."""
         return cls(first, second)
 
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
-        """Refused: stresses inside an anisotropic body are not known to winkler."""
+        """Not supported: stresses inside an anisotropic body are not implemented."""
         raise OutsideValidity(
             "The stresses inside a TransverselyIsotropicHalfSpace are not implemented; request the surface "
             "(without z), or use HalfSpace."

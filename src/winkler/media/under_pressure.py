@@ -66,8 +66,8 @@ class PressureIndentation:
 
     __words__ = words(
         exponent=("k", "", "exponent of the grading"),
-        uniform=("", "m", "how far springs sink under the pressure at the edge"),
-        bulge=("", None, "how far springs sink under the rest of the pressure, on panels"),
+        uniform=("", "m", "spring deflection due to the pressure at the edge"),
+        bulge=("", None, "spring deflection due to the rest of the pressure, on panels"),
         share=("", None, "what layers add to the displacement of the springs, on panels"),
     )
 

@@ -99,7 +99,7 @@ class History(Protocol):
 
     @property
     def states(self) -> tuple[Any, ...]:
-        """In the order of the path."""
+        """All jumps in the order of the path."""
         ...
 
 

@@ -105,12 +105,12 @@ class AreaFunction(Shape):
 
     @property
     def size(self) -> float:
-        """Where the area stops growing [m]."""
+        """Radius at which the area stops growing [m]."""
         return self.reach
 
     @property
     def rising(self) -> bool:
-        """Whether r f' = 2 A / A' rises with h everywhere, so that g does."""
+        """Whether g rises everywhere, because r f' = 2 A / A' rises with h everywhere."""
         heights = self._unit * SEARCHED_HEIGHTS
         heights = heights[heights < _summit(self)]
         area, first, second = self._derivatives(heights)

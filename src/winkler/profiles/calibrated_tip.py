@@ -138,9 +138,9 @@ class CalibratedTip(_TipOfArea):
     coefficients : sequence of float
         C0 [-], C1 [m], C2 [m^(3/2)], C3 [m^(7/4)], ...: the n-th belongs to h^(2^(1-n)).
     shallowest, deepest : float
-        Contact depths [m] between which it was calibrated.  The polynomial is used there alone.
+        Contact depths [m] between which it was calibrated.  The polynomial is used only in this range.
     shape_factor : float, optional
-        beta [-]; 1 unless given, that of bodies of revolution.
+        beta [-]; 1 by default, that of bodies of revolution.
 
     Raises
     ------
@@ -198,7 +198,7 @@ class TabulatedTip(_TipOfArea):
     areas : sequence of float, (n,)
         Cross-sections [m^2] there, positive and growing.
     shape_factor : float, optional
-        beta [-]; 1 unless given, that of bodies of revolution.
+        beta [-]; 1 by default, that of bodies of revolution.
 
     Raises
     ------

@@ -91,12 +91,12 @@ class RoundedCone(PowerPieces):
 
     @property
     def blend_radius(self) -> float:
-        """Where the tip joins the cone [m]."""
+        """Radius at which the tip joins the cone [m]."""
         return self.curvature_radius / math.tan(self.half_angle)
 
     @property
     def terms(self) -> tuple[Term, ...]:
-        """A paraboloid that goes over into a cone."""
+        """A paraboloid that joins a cone."""
         m, b = 1.0 / math.tan(self.half_angle), self.blend_radius
         return ((0.0, 1, m / b), (b, 1, -m / b), (b, 0, m))
 
@@ -127,7 +127,7 @@ class SpheroConical(RisingShape):
 
     @property
     def blend_radius(self) -> float:
-        """Where the tip joins the cone [m]."""
+        """Radius at which the tip joins the cone [m]."""
         return self.curvature_radius * math.cos(self.half_angle)
 
     @property

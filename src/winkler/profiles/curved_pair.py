@@ -27,15 +27,15 @@ class CurvedPair:
     second_longitudinal_radius, second_lateral_radius : float
         The same of the second body.
     angle : float, optional
-        By which the axes of the second body are turned against those of the first [rad].
+        Angle between the axes of the second body and those of the first [rad].
 
     Raises
     ------
     InvalidInput
-        If a radius is zero, or the bodies do not touch in a point: a hollow as narrow as the body in it.
+        If a radius is zero, or the bodies do not touch in a point, because a hollow is as narrow as the body in it.
 
-    The x and y of a contact, and with them the angles of friction and motion, are those of both bodies together: `turn`
-    away from those of the first.
+    The axes x and y of the contact, to which angles of friction and motion refer, are the principal directions of the
+    pair. They are rotated by `turn` relative to those of the first body.
 
     Examples
     --------
@@ -71,22 +71,22 @@ class CurvedPair:
 
     @property
     def together(self) -> CurvedBodies:
-        """The radii of both bodies together, in the principal directions of their distance."""
+        """The combined radii of both bodies in the principal directions of their gap."""
         return CurvedBodies.of(*self._radii, self.angle)
 
     @property
     def turn(self) -> float:
-        """Angle [rad] from x of the first body to x of both together, at most 45 degrees."""
+        """Angle [rad] from x of the first body to x of the pair, at most 45 degrees."""
         return CurvedBodies.turn(*self._radii, self.angle)
 
     @property
     def longitudinal_curvature_radius(self) -> float:
-        """R_x [m] of both together, along the principal direction next to x of the first body."""
+        """Combined R_x [m], along the principal direction closest to x of the first body."""
         return self.together.longitudinal_curvature_radius
 
     @property
     def lateral_curvature_radius(self) -> float:
-        """R_y [m] of both together, across."""
+        """Combined R_y [m], along the other principal direction."""
         return self.together.lateral_curvature_radius
 
     @property
@@ -100,7 +100,7 @@ class CurvedPair:
         return self.together.equivalent_radius
 
     def semi_axes(self, modulus: float, force: float) -> tuple[float, float]:
-        """Return a and b [m] under a modulus [Pa] and a force [N]."""
+        """Return the semi-axes a and b [m] for a modulus [Pa] and a force [N]."""
         return self.together.semi_axes(modulus, force)
 
     def steepest_slope(self, longitudinal: float, lateral: float) -> float:

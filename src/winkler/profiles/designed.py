@@ -40,7 +40,8 @@ SMALLEST_JUMP = 1e-7
 class Designed(Shape):
     """A body of revolution whose slope is a polynomial of the radius on each of many panels.
 
-    Made by `design_profile` and `design_for_pressure`; `height(r)` at any radii is what a lathe needs.
+    `design_profile` and `design_for_pressure` return this class. `height(r)` gives the heights at any radii, for
+    manufacturing.
 
     Parameters
     ----------
@@ -83,7 +84,7 @@ class Designed(Shape):
 
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:
-        """The joints where g is not smooth: not those where it is but a power."""
+        """The panel edges at which g is not smooth."""
         start = _gap(self).start
         return tuple((b, jump) for b, jump in self.joints if b >= start)
 

@@ -49,13 +49,13 @@ class ContactEllipse:
     lateral_semi_axis: Positive
 
     def semi_axes(self, modulus: float, force: float) -> tuple[float, float]:
-        """Return a and b [m], whatever presses the bodies."""
+        """Return the semi-axes a and b [m], which do not depend on modulus and force."""
         return self.longitudinal_semi_axis, self.lateral_semi_axis
 
 
 @value
 class CurvedBodies:
-    """Two bodies with two curvatures each each, by the relative radii of curvature along x and y.
+    """Two bodies with two curvatures each, given by the relative radii of curvature along x and y.
 
     Parameters
     ----------
@@ -87,7 +87,7 @@ class CurvedBodies:
 
     @classmethod
     def of(cls, first: tuple[float, float], second: tuple[float, float], angle: float = 0.0) -> CurvedBodies:
-        """Return the radii of two bodies together, from the principal radii of each.
+        """Return the combined radii of two bodies from the principal radii of each.
 
         Parameters
         ----------
@@ -95,17 +95,19 @@ class CurvedBodies:
             R_x and R_y of the first body in its own axes, and of the second one in its axes [m]. Radii are negative for
             concave surfaces such as raceways, and infinite for straight ones.
         angle : float
-            By which the axes of the second body are turned against those of the first [rad].
+            Angle between the axes of the second body and those of the first [rad].
 
         Returns
         -------
         CurvedBodies
-            In the principal directions of the distance of both; x is the one next to x of the first body, `turn` away.
+            The combined radii in the principal directions of the gap; x is the direction closest to x of the first
+            body, rotated by `turn`.
 
         Raises
         ------
         InvalidInput
-            If a radius is zero, or the bodies do not touch in a point: a hollow as narrow as the body in it.
+            If a radius is zero, or the bodies do not touch in a point, because a hollow is as narrow as the body in
+            it.
 
         Examples
         --------
@@ -128,11 +130,11 @@ class CurvedBodies:
 
     @staticmethod
     def turn(first: tuple[float, float], second: tuple[float, float], angle: float = 0.0) -> float:
-        """Return the angle [rad] from x of the first body to x of both together, at most 45 degrees; as of `of`."""
+        """Return the angle [rad] from x of the first body to x of both together, at most 45 degrees; as in `of`."""
         return _curvatures(first, second, angle)[2]
 
     def semi_axes(self, modulus: float, force: float) -> tuple[float, float]:
-        """Return a and b [m].
+        """Return the semi-axes a and b of the contact [m].
 
         Parameters
         ----------
@@ -160,7 +162,7 @@ class CurvedBodies:
 
     @property
     def together(self) -> CurvedBodies:
-        """These radii, as of a `CurvedPair`."""
+        """The bodies themselves, as for a `CurvedPair`."""
         return self
 
     @property

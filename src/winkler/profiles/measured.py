@@ -49,12 +49,13 @@ class Measured(Shape):
     radii : ndarray, (n,)
         Distances from the axis [m], zero or positive, in any order; at least six different ones.
     heights : ndarray, (n,)
-        Heights [m] there; the height of the apex may be anything, it is subtracted.
+        Heights [m] there; the height of the apex is subtracted.
 
     Raises
     ------
     InvalidInput
-        If the points are too few, not finite, leave out the apex, or fall with the radius beyond their scatter.
+        If the points are too few, not finite, do not include the apex, or decrease with the radius by more than their
+        scatter.
 
     See Also
     --------
@@ -88,7 +89,7 @@ class Measured(Shape):
 
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:
-        """The knots, where f''' jumps: smooth to the eye, but quadrature must go from one to the next, all of them."""
+        """The knots of the spline, where f''' jumps; integrals are computed from knot to knot."""
         return tuple((float(knot), 0.0) for knot in self.curve.knots[1:-1])
 
     @property

@@ -35,7 +35,7 @@ class Paraboloid(RisingShape):
 
     @property
     def size(self) -> float:
-        """R [m] at the apex of the body that the paraboloid approximates."""
+        """Radius R [m] at the apex of the approximated body."""
         return self.curvature_radius
 
     def height(self, r: Array) -> Array:

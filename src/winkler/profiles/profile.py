@@ -121,7 +121,7 @@ class Shape:
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """What must be stated about the shape itself."""
+        """Validity notes about the shape."""
         return ()
 
     def height(self, r: Array) -> Array:
@@ -208,7 +208,7 @@ class Sum(Shape):
 
     @property
     def rising(self) -> bool:
-        """True if it is true for every part."""
+        """Whether g rises everywhere for every part."""
         return all(part.rising for part in self.parts)
 
     @property

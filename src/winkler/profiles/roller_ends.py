@@ -28,15 +28,15 @@ class SharpEnds:
     """A straight roller with sharp edges, where the pressure is infinite."""
 
     def drop(self, x: Array, half_length: float, modulus: float) -> Array:
-        """Return by how much the radius is smaller at x [m]: zero."""
+        """Return the decrease of the radius at x [m]: zero."""
         return np.zeros(np.shape(x))
 
     def marks(self, half_length: float) -> tuple[float, ...]:
-        """Return the places [m] where the generator bends abruptly: none."""
+        """Return the positions [m] of corners of the generator: none."""
         return ()
 
     def refuse(self, half_length: float) -> None:
-        """Check the dimensions; all are possible here."""
+        """Check the dimensions; all are allowed."""
 
 
 @value
@@ -60,7 +60,7 @@ class CrownedEnds:
     straight_length: NonNegative = 0.0
 
     def drop(self, x: Array, half_length: float, modulus: float) -> Array:
-        """Return by how much the radius is smaller at x [m]."""
+        """Return the decrease of the radius at x [m]."""
         beyond = np.maximum(np.abs(x) - 0.5 * self.straight_length, 0.0)
         return np.asarray(beyond**2 / (2.0 * self.crown_radius))
 
@@ -92,7 +92,7 @@ class RoundedEnds:
     edge_radius: Positive
 
     def drop(self, x: Array, half_length: float, modulus: float) -> Array:
-        """Return by how much the radius is smaller at x [m]."""
+        """Return the decrease of the radius at x [m]."""
         beyond = np.maximum(np.abs(x) - (half_length - self.edge_radius), 0.0)
         return np.asarray(beyond**2 / (2.0 * self.edge_radius))
 
@@ -119,9 +119,9 @@ class LogarithmicEnds:
         P [N/m] of the load for which the crown is designed, its force over the length. With K_1 = 1 the pressure is
         uniform along the roller, except for a rise near the ends.
     load_factor : float, optional
-        K_1 [-]: the drop over that of Lundberg; greater for a roller that may be tilted.
+        K_1 [-]: the drop over that of Lundberg; use a larger value for rollers that may tilt.
     crowned_share : float, optional
-        K_2 [-]: crowned part of the length; the rest, in the middle, is straight.
+        K_2 [-]: crowned fraction of the length; the middle is straight.
     edge_drop : float, optional
         z_m [m]: drop at the ends; unbounded (the default) after Lundberg.
 
@@ -144,7 +144,7 @@ class LogarithmicEnds:
     edge_drop: PositiveOrInfinite = math.inf
 
     def drop(self, x: Array, half_length: float, modulus: float) -> Array:
-        """Return by how much the radius is smaller at x [m]; infinite at the ends if it is unbounded there."""
+        """Return the decrease of the radius at x [m]; infinite at the ends for an unbounded crown."""
         straight = (1.0 - self.crowned_share) * half_length
         share = np.maximum(np.abs(x) - straight, 0.0) / (half_length - straight)
         scale = self.load_factor * self.design_force_per_length / (math.pi * modulus)
@@ -158,7 +158,7 @@ class LogarithmicEnds:
         return (-s, s) if s > 0.0 else ()
 
     def refuse(self, half_length: float) -> None:
-        """Check the dimensions; all are possible here."""
+        """Check the dimensions; all are allowed."""
 
 
 RollerEnds: TypeAlias = SharpEnds | CrownedEnds | RoundedEnds | LogarithmicEnds

@@ -61,7 +61,7 @@ class BallInSocket(RisingShape):
 
     @property
     def effective_radius(self) -> float:
-        """R_1 R_2 / (R_2 - R_1) [m], of the ball on a plane that is as curved at the apex."""
+        """R_1 R_2 / (R_2 - R_1) [m]: radius of a ball on a plane with the same relative curvature at the apex."""
         return self.curvature_radius * self.socket_radius / (self.socket_radius - self.curvature_radius)
 
     @property

@@ -26,7 +26,7 @@ class Wavy(Shape):
     Parameters
     ----------
     amplitude : float
-        h [m], positive: the trough in the middle of the wave lies 2 h above the apex.
+        h [m], positive; the waves reach 2 h above the apex.
     wavelength : float
         [m], positive.
 

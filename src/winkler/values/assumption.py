@@ -40,7 +40,7 @@ class Assumption(Enum):
 
     @property
     def checked(self) -> bool:
-        """Whether a violation is found by a number and flagged."""
+        """Whether a violation is detected by a number and flagged."""
         return self not in _STATED
 
 

@@ -83,7 +83,7 @@ class WinklerError(Exception):
 
 
 class InvalidInput(WinklerError, ValueError):
-    """What was given cannot be used: a wrong sign, unit, file, name or number."""
+    """The input cannot be used: a wrong sign, unit, file, name or number."""
 
     exit_code = 2
 

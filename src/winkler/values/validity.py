@@ -47,16 +47,16 @@ class Note:
     Parameters
     ----------
     assumption
-        The assumption that it states.
+        The assumption to which the note refers.
     standing
-        exact; asymptotic (right in a limit, the deviation is stated); approximate (the error is stated);
-        outside (the number is not to be trusted).
+        exact; asymptotic (exact in a limit, the deviation is stated); approximate (the error is stated); outside (the
+        result is not reliable).
     statement
         One sentence in plain words.
     source
         The source of the statement: a citation with DOI, or the check that was made.
     error
-        About how far the answer may be off for this reason, a share of it [-]; None where that is not known.
+        Approximate relative error of the result for this reason [-]; None if it is not known.
     """
 
     assumption: Assumption

@@ -137,22 +137,22 @@ def _setstate(self: Any, state: dict[str, Any]) -> None:
 
 
 def quantity(self: Any, name: str) -> Any:
-    """Return a field or a result as a quantity of pint; it becomes the method ``quantity`` of each value.
+    """Return a field or a result as a `pint` quantity, a number or array with its unit.
 
     Parameters
     ----------
     name : str
-        Of the field or the result, as ``"depth"``.
+        Name of the field or result, for example ``"depth"``.
 
     Returns
     -------
     pint.Quantity
-        In the SI unit of the glossary, of the application's registry (``pint.get_application_registry()``).
+        The value in SI units. Its registry is that of the application (``pint.get_application_registry()``).
 
     Raises
     ------
     InvalidInput
-        If it is no quantity, or one whose unit follows from another argument.
+        If the field has no unit, or a unit that depends on another argument.
 
     Examples
     --------

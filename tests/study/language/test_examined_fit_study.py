@@ -133,7 +133,7 @@ def test_models_are_compared(here, tmp_path):
     write_files(outcome_files(outcome), tmp_path / "out")
     written = rows(tmp_path / "out" / "models.csv")
     assert {row["model"]: row["possible [-]"] for row in written if row["curve"] == "curve3.csv"}["cone"] == "0.0"
-    assert "Model 'cone': told from all others in 0, possible in 0 of 2 curves." in list(further_sentences(outcome))
+    assert "Model 'cone': distinguished from all others in 0, possible in 0 of 2 curves." in list(further_sentences(outcome))
 
 
 def test_a_comparison_goes_on_beside_a_curve_without_contact(here):
@@ -143,7 +143,7 @@ def test_a_comparison_goes_on_beside_a_curve_without_contact(here):
     outcome = fit_study(study(here, 'model = "ball"', "curve[23]*.csv", CONE))
     assert [one.name for one in outcome.refused] == ["curve31.csv"]
     said = list(further_sentences(outcome))
-    assert "Model 'cone': told from all others in 0, possible in 0 of 3 curves, not fitted in 1." in said
+    assert "Model 'cone': distinguished from all others in 0, possible in 0 of 3 curves, not fitted in 1." in said
     assert "Not compared, as no model could be fitted: curve31.csv (no_contact)." in said
 
 

@@ -20,7 +20,7 @@ MOTION = (
 )
 ANSWER = (
     StepNumber("force", "N", "normal force, compression positive; it never pulls"),
-    StepNumber("energy", "J", "elastic energy at this depth; of springs that have let go until they have recovered"),
+    StepNumber("energy", "J", "elastic energy at this depth; for separated springs until they have recovered"),
     StepNumber("dissipation", "J", "heat since the beginning; never falls"),
 )
 STEPS, SEED = 60, 20261123

@@ -94,7 +94,7 @@ def relaxing_law(
         f"Up to a depth of {deepest:.4g} m; beyond, the answer is not-a-number. {_error(elastic, deepest, count)}",
         *map(str, solution.validity),
     )
-    title = "A body of revolution on one that relaxes: springs that relax, let go and recover"
+    title = "A body of revolution on a viscoelastic one: springs that relax, separate and recover"
     duration = float(np.median(series.times)) / 5.0
     return StepLaw(
         title, step_relaxing, (solid, *law, *springs), state, MOTION, ANSWER, notes, inputs, _trial(deepest, duration)

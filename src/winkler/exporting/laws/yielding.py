@@ -79,7 +79,7 @@ def yielding_law(problem: PlasticIndentation, deepest: float, tolerance: float, 
         *map(str, PlasticIndentation(bed, Depth(np.array([deepest]))).solve().validity),
     )
     state = (StatePart("memory", "greatest depth so far [m], what has been lost [J]", np.zeros(2)),)
-    title = "Two round bodies of which at least one yields: pressed, let go and pressed again"
+    title = "Two round bodies of which at least one yields: loading, unloading and reloading"
     rng = np.random.default_rng(SEED)
     trial = deepest * (np.linspace(0.05, 1.0, STEPS) * rng.uniform(-0.1, 1.0, STEPS))[:, np.newaxis]
     return StepLaw(title, step_yielding, tables, state, MOTION, ANSWER, notes, inputs, trial)

@@ -37,7 +37,7 @@ TABLE_TOLERANCE = 1e-9
 
 
 class ContactArray(ContactStore):
-    """Many contacts of one law in arrays, which `step` changes in place, on all cores.
+    """Many contacts of one law, stored in arrays that `step` changes in place, on all cores.
 
     A step uses the same kernel that `export` writes in other languages. In contrast to other winkler objects this one
     is mutable: a step of ten million contacts makes no copy.
@@ -47,24 +47,24 @@ class ContactArray(ContactStore):
     law
         A problem that `export` supports: `Indentation`, `ContactLaw`, `Tangential`, `AdhesiveCycle`,
         `ElasticPlasticParticle`, `ViscoelasticIndentation` or `Contacts`.  A list of problems of one form, or
-        `Contacts` that differ, are several kinds of contacts.
+        `Contacts` with different properties, define several types of contacts.
     size : int, optional
-        How many contacts there are.
+        Number of contacts.
     kind : ndarray, (n,), optional
         Index of the law of each contact, from 0 on. Not needed if there is one law, or one for each contact.
     answers : tuple of str, optional
-        Names of the numbers of `names` that are kept; all unless given.
+        Names of the results to store, from `names`; all by default.
     precision : str, optional
-        Of the springs that a contact remembers: "double", or "single" in half the memory; all else is double.
+        Precision of the stored springs: "double", or "single" with half the memory. All other numbers are double.
     tolerance : float, optional
-        Error of a normal force that is given by a table, over the maximum force.
+        Maximum error of a tabulated normal force, relative to the maximum force.
     count : int, optional
-        How many springs a `Tangential` and a `ViscoelasticIndentation` have.
+        Number of springs of a `Tangential` or `ViscoelasticIndentation`.
 
     Raises
     ------
     InvalidInput
-        If the law is none, a number is wrong, or the contacts do not fit the memory that is free.
+        If the law is not supported, a number is out of range, or the contacts need more memory than is free.
 
     Examples
     --------
@@ -102,23 +102,24 @@ class ContactArray(ContactStore):
     def step(
         self, depth: Any, *, motion: Any = None, twist: Any = None, roll: Any = None, duration: Any = None
     ) -> None:
-        """Move all contacts by one step, within which depth, motion, twist and roll change in proportion.
+        """Advance all contacts by one step, in which depth, motion, twist and roll change linearly in time.
 
         If an error is raised, nothing has changed.
 
         Parameters
         ----------
         depth : float or ndarray, (n,)
-            d [m] at the end of the step, not positive without contact.
+            Depth d [m] at the end of the step; zero or negative without contact.
         motion : ndarray, (n, 2) or (2,), optional
-            By which the bodies move against each other along the surface [m]; of laws with friction.
+            Relative tangential displacement of the bodies in this step [m]; for laws with friction.
         twist : float or ndarray, (n,), optional
-            By which they turn about the normal [rad]; of `Contacts`.
+            Relative rotation about the normal in this step [rad]; for `Contacts`.
         roll : ndarray, (n, 2) or (2,), optional
-            By which they roll over each other [rad]; of `Contacts`.
+            Relative rolling rotation in this step [rad]; for `Contacts`.
         duration : float or ndarray, (n,), optional
-            Of the step [s], zero or at least 1e-60; needed by viscoelastic bodies.  Zero is a sudden step; solids of
-            springs and dashpots side by side, which no force moves suddenly, answer it with the force at rest.
+            Duration of the step [s], zero or at least 1e-60; required for viscoelastic bodies. Zero is a sudden step.
+            For solids with a dashpot in parallel (Kelvin-Voigt), which cannot deform suddenly, the returned force is
+            the static one.
 
         Raises
         ------
@@ -147,7 +148,7 @@ class ContactArray(ContactStore):
         run_in_threads(work, self.size)
 
     def save(self, path: str | os.PathLike[str]) -> Path:
-        """Save all contacts to the last digit; a file of that name is replaced only once the new one is whole.
+        """Save all contacts with all digits. An existing file is replaced only after the new one is complete.
 
         Raises
         ------
@@ -168,12 +169,12 @@ class ContactArray(ContactStore):
     def restored(
         cls, law: Any, path: str | os.PathLike[str], *, tolerance: float = 1e-6, count: int = 32
     ) -> ContactArray:
-        """Return contacts as `save` has saved them: they go on with the same numbers.
+        """Return the contacts of a file that `save` wrote; they continue with exactly the same numbers.
 
         Parameters
         ----------
         law, tolerance, count
-            As of `ContactArray`: the law that they were made with.
+            As in `ContactArray`; the same values as when the contacts were created.
         path : str or path
 
         Raises

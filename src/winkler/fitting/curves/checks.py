@@ -216,7 +216,7 @@ def _wrong_forces(curve: ForceCurve, rough_outline: CurveOutline) -> Iterator[Fl
         yield Flag(
             "no_contact",
             f"At the largest position the force is {top:.3g} N, not above {SIGNAL_TO_NOISE:g} times the noise of "
-            f"{noise:.3g} N; there is no contact, or none that can be told from noise.",
+            f"{noise:.3g} N; no contact can be distinguished from the noise.",
         )
     elif (count := _saturated_points(curve).size) > 0:
         yield Flag(

@@ -61,9 +61,9 @@ class ForceCurve:
     force : ndarray, (n,)
         F_N [N], compression positive.
     machine_stiffness : float, optional
-        k_m [N/m] of the cantilever or frame; infinite (unless given) where `position` already is the travel of the tip.
+        k_m [N/m] of the cantilever or frame; infinite (by default) where `position` already is the travel of the tip.
     time : ndarray, (n,) or (0,), optional
-        [s], never falling; empty (unless given) where it is unknown.
+        [s], never falling; empty (by default) where it is unknown.
     direction : ndarray, (n,), optional
         +1 while the tip moves in, -1 while it moves out, 0 during a hold period.  Unless given, it follows from
         position and force: turns, holds and partial unloadings.  `segments` shows the result, `with_segments` replaces
@@ -135,7 +135,7 @@ class ForceCurve:
 
     @property
     def count(self) -> int:
-        """How many points there are."""
+        """Number of points."""
         return int(self.position.size)
 
     @property
@@ -212,12 +212,12 @@ class ForceCurve:
 
     @property
     def record(self) -> Record:
-        """The columns in which events are sought."""
+        """The columns of the curve that are searched for events."""
         return Record(self.position, self.force, self.time, self.direction, self.marks, self.compliance)
 
     @functools.cached_property
     def events(self) -> CurveEvents:
-        """What was done, and what happened, in its order: segments, baselines, snap-in, pop-ins, pull-off and more."""
+        """All events in their order: segments, baselines, snap-in, pop-ins, pull-off and others."""
         return events_of(self.record)
 
     def with_events(self, stated: Sequence[tuple[str, int, int]]) -> ForceCurve:
@@ -254,7 +254,7 @@ class ForceCurve:
 
     @property
     def approach(self) -> ForceCurve:
-        """The points where the tip goes in."""
+        """The points at which the tip moves towards the sample."""
         return self._part(1.0, "approach")
 
     @property
@@ -264,7 +264,7 @@ class ForceCurve:
 
     @property
     def retract(self) -> ForceCurve:
-        """The points where the tip comes out."""
+        """The points at which the tip moves away from the sample."""
         return self._part(-1.0, "retract")
 
     @property

@@ -103,11 +103,12 @@ def calibration_shares(
     spring_constant_error, sensitivity_error : float, optional
         Relative standard errors; 0.1 is 10 %.
     thermal : bool, optional
-        Whether the spring constant was found from thermal noise with this sensitivity.
+        Whether the spring constant was determined from thermal noise with this sensitivity.
     spring_constant : float, optional
-        [N/m], where the position already is the travel of the tip; else that of the curve.
+        Spring constant [N/m], required if the position is already the travel of the tip; otherwise that of the curve
+        is used.
     frame_compliance : float, optional
-        Part of the compliance of the curve [m/N] that is not the cantilever's.
+        Part of the compliance of the curve [m/N] that belongs to the frame, not to the cantilever.
 
     Raises
     ------

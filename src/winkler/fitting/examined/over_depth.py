@@ -100,7 +100,7 @@ class DepthSeries:
 
     @property
     def limits(self) -> Array:
-        """Maximum changes that a constant number may show ``(m - 1,)``."""
+        """Maximum changes within which the parameter counts as constant, ``(m - 1,)``."""
         errors = self.standard_errors / self.values if self.logarithmic else self.standard_errors
         variances = np.maximum(errors[:-1] ** 2 - errors[-1] ** 2, LEAST_VARIANCE * errors[:-1] ** 2)
         confidence = 1.0 - (1.0 - CONFIDENCE) / max(variances.size, 1)
@@ -144,19 +144,19 @@ def over_depth(
     noise: Quantity = 0.0,
     found: Fit | None = None,
 ) -> DepthSeries:
-    """Fit a curve up to more and more depth.
+    """Fit a curve repeatedly, up to increasing depths.
 
     Parameters
     ----------
     curve : ForceCurve
     model : Indentation or AdhesiveIndentation
-        As for `fit`; a body that relaxes has a history, which is not cut.
+        As for `fit`. Viscoelastic bodies are not supported, because their load history cannot be cut.
     free : mapping or iterable of str
         As for `fit`; contact point and baseline are fitted anew at every depth.
     of : str, optional
-        The number; the first free one of the model, unless given.
+        The number; the first free one of the model, by default.
     count : int, optional
-        Number of depths, evenly spaced from a tenth of the maximum; 12 unless given.
+        Number of depths, evenly spaced from a tenth of the maximum; 12 by default.
     noise : float or ndarray, optional
         As for `fit`.
     found : Fit, optional

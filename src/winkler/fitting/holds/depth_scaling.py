@@ -95,22 +95,22 @@ class DepthScaling:
 
 
 def depth_scaling(holds: Sequence[HeldForce], *, vertical: bool = True) -> DepthScaling:
-    """Return how the times of holds grow with the contact radius, and which kind of body that is.
+    """Return how relaxation times grow with the contact radius: poroelastic or viscoelastic body.
 
     Parameters
     ----------
     holds : sequence of HeldForce
         Two or more, of one shape of indenter, with different contact radii: other depths, or other punches.
     vertical : bool, optional
-        Whether the forces of each hold have a free factor, so that an error of the depth does not favour either kind of
-        body.
+        Whether the forces of each hold period have a free factor, so that an error of the depth does not bias the
+        verdict.
 
     Raises
     ------
     InvalidInput
         If there are fewer than two, shapes differ, or the contact radii are nearly the same.
     NotConverged
-        If the search does not settle.
+        If the iteration does not converge.
     """
     from scipy.stats import chi2
 

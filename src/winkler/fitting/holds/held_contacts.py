@@ -59,8 +59,8 @@ class HeldContacts:
     holds : sequence of HeldForce
         Two or more, of one shape of indenter, with different contact radii.
     vertical : bool, optional
-        Whether the forces of each hold have a free factor when times are compared, so that an error of the depth does
-        not favour either kind of body.
+        Whether the forces of each hold period have a free factor when times are compared, so that an error of the
+        depth does not bias the verdict.
 
     Raises
     ------
@@ -101,7 +101,7 @@ class HeldContacts:
         distinct_radii("HeldContacts", checked_holds("HeldContacts", self.holds, 2))
 
     def solve(self) -> HeldContactsSolution:
-        """Return how the times grow with the contact, and the poroelastic body that describes the holds best.
+        """Return the growth of the times with the contact radius, and the best poroelastic body.
 
         Returns
         -------
@@ -110,7 +110,7 @@ class HeldContacts:
         Raises
         ------
         NotConverged
-            If a search does not settle.
+            If an iteration does not converge.
         """
         scaling, body = depth_scaling(self.holds, vertical=self.vertical), fit_poroelastic(self.holds)
         stiffness, poisson, spread = (math.sqrt(float(body.covariance[place, place])) for place in range(3))

@@ -98,7 +98,7 @@ def fit_poroelastic(holds: Sequence[HeldForce]) -> PoroelasticFit:
     InvalidInput
         If there is none, or their shapes differ.
     NotConverged
-        If the search does not settle.
+        If the iteration does not converge.
     """
     from scipy.optimize import least_squares
 

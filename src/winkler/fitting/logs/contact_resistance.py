@@ -51,7 +51,7 @@ SOURCE = "least squares of logarithms, with the correlation of neighbours; Stude
 
 @value
 class ResistanceLog:
-    """Contact resistance over the force, row after row as it was measured.
+    """Measured contact resistance versus force, row by row.
 
     Parameters
     ----------
@@ -63,7 +63,8 @@ class ResistanceLog:
     Raises
     ------
     InvalidInput
-        If the columns differ in length, are too short, hold a number that is not positive, or one force alone.
+        If the columns differ in length, are too short, contain a number that is not positive, or contain only one
+        force.
     """
 
     __words__ = words(
@@ -165,7 +166,7 @@ class MeasuredConstriction:
         return radius
 
     def resistances(self, resistivity: float, film: float, series: float) -> Array:
-        """Return what a contact with these numbers [ohm m, ohm m^2, ohm] would have at the forces of the log [ohm].
+        """Return the resistance [ohm] at the forces of the log for given resistivity, film and series resistance.
 
         Raises
         ------
@@ -267,7 +268,7 @@ class MeasuredConstrictionSolution:
     scatter : float
         Relative scatter of the resistances about the fitted ones [-].
     freedom : float
-        Independent rows that the errors rest on.
+        Number of independent rows from which the errors are computed.
     """
 
     __words__ = words(
@@ -315,9 +316,9 @@ class MeasuredConstrictionSolution:
 
     @functools.cached_property
     def turned(self) -> Estimate | None:
-        """By how much resistances lie higher while the force rises than while it falls, as a logarithm [-].
+        """Resistance at rising force over that at falling force, as a natural logarithm [-].
 
-        None where the force goes one way only.
+        None if the force only rises or only falls.
         """
         log = self.problem.log
         steps = np.sign(np.gradient(log.force))

@@ -45,7 +45,7 @@ class FrictionLog:
     displacement : ndarray, (n,)
         Tangential displacement of the drive [m], whose frame may deflect.
     shear_force : ndarray, (n,)
-        By which the drive moves the contact [N]; of the other sign, it is turned round.
+        Force with which the drive moves the contact [N]. If the log has the opposite sign, the sign is changed.
     normal_force : ndarray, (n,), optional
         F_N [N]; empty where it was not measured.
 
@@ -79,7 +79,7 @@ class FrictionLog:
 
     @functools.cached_property
     def cycles(self) -> tuple[Cycle, ...]:
-        """Of each whole cycle the points of minimum, maximum, and again minimum displacement."""
+        """For each complete cycle the points of minimum, maximum, and again minimum displacement."""
         turns = _turns(self.displacement)
         lows = [place for place, is_low in turns if is_low]
         highs = [place for place, is_low in turns if not is_low]
@@ -87,7 +87,7 @@ class FrictionLog:
 
     @functools.cached_property
     def reversed(self) -> bool:
-        """Whether the force is that on the drive, so that most loops run the other way."""
+        """Whether the log contains the force on the drive, so that most loops have the opposite sense of rotation."""
         return float(np.sum(self._areas)) < 0.0
 
     @property
@@ -129,7 +129,7 @@ class FrictionLog:
     def slope(self) -> Array:
         """Slope of the branches behind their turning points in each cycle [N/m], ``(m,)``: contact and frame in series.
 
-        It is that of the first quarter of a branch, in which a ball that slips already has lost some stiffness.
+        The slope is taken over the first quarter of a branch; a slipping ball already loses some stiffness there.
         """
         return np.array([self.slope_of(cycle) for cycle in self.cycles])
 

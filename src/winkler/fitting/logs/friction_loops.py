@@ -292,9 +292,10 @@ class FrictionLoopsSolution:
     contact_stiffness, contact_stiffness_error : float
         Of the contact along the surface without slip [N/m]: of the branches, less the compliance of the frame.
     expected_stiffness : float
-        The same of the bed [N/m].
+        The same stiffness, computed for the foundation [N/m].
     series_compliance, series_compliance_error : float
-        What yields in series with the bed [m/N]: the frame, and whatever makes the contact softer than the bed.
+        Additional compliance in series with the foundation [m/N]: the frame, and any other cause of a contact softer
+        than computed.
     loss_per_cycle, loss_error : float
         Area of the loop [J].
     contact_stroke : float
@@ -302,9 +303,9 @@ class FrictionLoopsSolution:
     misfit : float
         Residuals over the amplitude of the force [-], root of the mean square.
     freedom : float
-        Independent rows that the errors rest on.
+        Number of independent rows from which the errors are computed.
     fitted : float
-        How many cycles were fitted.
+        Number of fitted cycles.
     """
 
     __words__ = words(
@@ -345,7 +346,7 @@ class FrictionLoopsSolution:
 
     @functools.cached_property
     def loop(self) -> tuple[Array, Array]:
-        """Displacement [m] and shear force [N] of the fitted last cycle, from its least displacement, ``(k,)``."""
+        """Displacement [m] and shear force [N] of the last fitted cycle, from its minimum displacement, ``(k,)``."""
         log, curve = self.problem.log, self.problem.curve
         low, high, _ = log.cycles[-1]
         found = curve.fitted(log, len(log.cycles) - 1)

@@ -98,9 +98,9 @@ class PinOnDisc:
         Parameters
         ----------
         area : float
-            Of the face of the pin [m^2], which does not change as it wears.
+            Area of the face of the pin [m^2], which does not change during wear.
         force : float
-            By which the pin is pressed on [N].
+            Normal force on the pin [N].
 
         Raises
         ------

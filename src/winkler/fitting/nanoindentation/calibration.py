@@ -75,12 +75,12 @@ def calibrate_indenter(
     Parameters
     ----------
     curves : sequence of (ForceCurve, ReferenceSample)
-        Indentations, best with partial unloadings over the depths that are wanted, each with its reference.  The
-        compliance of the frame is found in addition to that of the curves.
+        Indentations, each with its reference sample; preferably with partial unloadings over the whole depth range.
+        The compliance of the frame is found in addition to that of the curves.
     terms : int, optional
-        Number of coefficients; one to four, equally probable before, unless given.
+        Number of coefficients. By default one to four coefficients are compared, with equal prior probability.
     solid : Elastic, optional
-        Of the tip; diamond unless given.
+        Of the tip; diamond by default.
     shape_factor : float, optional
         beta [-].
     frame_compliance : float, optional
@@ -89,7 +89,7 @@ def calibrate_indenter(
     Raises
     ------
     InvalidInput
-        If there are fewer than four readings, or fewer than there are numbers.
+        If there are fewer than four unloadings, or fewer unloadings than parameters.
     NotConverged
         If frame compliance and power laws do not agree after eight rounds.
     """

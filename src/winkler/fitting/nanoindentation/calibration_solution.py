@@ -26,20 +26,20 @@ class IndenterCalibration:
     indenter : CalibratedIndenter
         Area function, frame compliance and their covariance.
     force, contact_depth, measured_area : ndarray, (n,)
-        Of every unloading: force [N], contact depth [m], and the area [m^2] that its stiffness demands.
+        Force [N], contact depth [m] and area computed from the stiffness [m^2] of every unloading.
     residuals : ndarray, (n,)
         ln of the measured compliance of the contact over that of the fit.
     curve_names : tuple of str
-        Curve of every unloading.
+        Name of the curve of every unloading.
     factor : float
-        Squared scatter of the residuals over that of noise, zero point and drift; errors are widened where it is
-        above 1.
+        Variance of the residuals over that expected from noise, zero point and drift. If it exceeds 1, errors are
+        increased accordingly.
     references : tuple
         The reference samples.
     skipped : tuple of str
         Curves that were not evaluated, with the reason.
     left_out : tuple of str
-        Curves that could be evaluated and do not count, with the reason: copies, and those that stand out.
+        Curves that were evaluated but not used, with the reason: copies and outliers.
     """
 
     __words__ = words(
@@ -89,7 +89,7 @@ class IndenterCalibration:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """Whether the references determine frame and area, and whether the area function describes them."""
+        """Whether the reference samples determine frame compliance and area function, and how well the latter fits."""
         return calibration_notes(self)
 
     def area_error(self, contact_depth: Array) -> Array:

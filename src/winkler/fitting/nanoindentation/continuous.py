@@ -43,7 +43,8 @@ class ContinuousIndentation:
     poisson : float
         nu of the sample [-].
     shallowest : float, optional
-        Least depth that is evaluated [m]; zero (unless given): from where readings are possible.
+        Minimum evaluated depth [m]. By default (zero) the evaluation begins at the first depth at which it is
+        possible.
     depth_offset_error : float, optional
         Standard uncertainty of the point of first touch [m].
     stiffness_error : float, optional
@@ -72,7 +73,7 @@ class ContinuousIndentation:
     stiffness_error: NonNegative = 0.0
 
     def solve(self) -> ContinuousIndentationSolution:
-        """Return modulus and hardness at every depth at which a reading is possible.
+        """Return modulus and hardness at every depth at which they can be evaluated.
 
         Raises
         ------
@@ -130,12 +131,12 @@ class ContinuousIndentationSolution:
     problem : ContinuousIndentation
         The problem.
     points : ndarray, (n,)
-        Indices of the points of the data at which a reading is possible.
+        Indices of the evaluated points of the data.
     depth, force, contact_depth, modulus, young, hardness : ndarray, (n,)
         Depth [m], force [N], contact depth [m], reduced modulus, modulus of the sample and hardness [Pa].
     young_errors, hardness_errors : ndarray, (n,)
-        Standard uncertainties due to calibration, zero point and stiffness scale, common to all depths [Pa]. The noise
-        is the scatter of neighbouring points.
+        Standard uncertainties due to calibration, zero point and stiffness scale, common to all depths [Pa]. They do
+        not include noise, which is visible as the scatter of neighbouring points.
     """
 
     __words__ = words(

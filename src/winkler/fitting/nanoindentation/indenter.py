@@ -28,14 +28,14 @@ class CalibratedIndenter:
     area : CalibratedArea
         A(h_c), with the contact depths of its calibration.
     frame_compliance : float, optional
-        C_f [m/N] of the frame, added to that of the curve; zero unless given.
+        C_f [m/N] of the frame, added to that of the curve; zero by default.
     covariance : ndarray, (1 + n, 1 + n), optional
         Covariance of the frame compliance and the n coefficients of the area, in products of their units. If it is
         empty (default), the calibration does not contribute to the uncertainty.
     solid : Elastic, optional
-        Of the tip; diamond, 1141 GPa and 0.07, unless given.
+        Of the tip; diamond, 1141 GPa and 0.07, by default.
     shape_factor : float, optional
-        beta [-]; 1 unless given.  A calibration with one factor goes with measurements with the same.
+        beta [-]; 1 by default.  Calibration and measurement must use the same factor.
 
     Raises
     ------

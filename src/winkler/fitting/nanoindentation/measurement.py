@@ -119,13 +119,13 @@ class Nanoindentation:
     poisson : float
         nu of the sample [-].
     poisson_error : float, optional
-        Its standard uncertainty [-]; zero unless given.
+        Its standard uncertainty [-]; zero by default.
     zero_point : ZeroPoint, optional
-        Point of first touch; found by `found_zero_point` unless given.
+        Point of first touch; found by `found_zero_point` by default.
     drift : ThermalDrift, optional
-        Thermal drift; found by `found_drift` unless given.
+        Thermal drift; found by `found_drift` by default.
     upper, lower : float, optional
-        Parts of the force at the peak between which an unloading is fitted.
+        Fractions of the peak force between which an unloading is fitted.
     force_error, depth_error : float, optional
         Relative standard uncertainties of the scales of force and depth [-], as the machine's certificate states them.
 
@@ -166,7 +166,7 @@ class Nanoindentation:
             )
 
     def solve(self) -> NanoindentationSolution:
-        """Return the readings of all unloadings with their budgets.
+        """Return the results of all unloadings with their uncertainty budgets.
 
         Raises
         ------
@@ -391,7 +391,7 @@ class NanoindentationSolution:
 
     @property
     def deepest(self) -> int:
-        """Index of the unloading from the maximum force, the last of equal ones."""
+        """Index of the unloading from the maximum force (the last one if several are equal)."""
         top = float(self.force.max())
         return int(np.flatnonzero(self.force >= 0.99 * top)[-1])
 
@@ -402,17 +402,17 @@ class NanoindentationSolution:
 
     @functools.cached_property
     def doubts(self) -> tuple[str, ...]:
-        """Sentences on what makes the readings doubtful: two touches, numbers that end on a bound; mostly empty."""
+        """Doubts about the results, such as two first contacts or a fit parameter at its bound; usually empty."""
         return doubts_of(self)
 
     @property
     def own_young_error(self) -> float:
-        """Standard uncertainty [Pa] of Young's modulus at the maximum force by sources of this indentation alone."""
+        """Standard uncertainty of Young's modulus at the maximum force [Pa], without the shared calibration."""
         return self._own(self.young_shares)
 
     @property
     def own_hardness_error(self) -> float:
-        """Standard uncertainty [Pa] of the hardness at the maximum force by sources of this indentation alone."""
+        """Standard uncertainty of the hardness at the maximum force [Pa], without the shared calibration."""
         return self._own(self.hardness_shares)
 
     def _own(self, shares: Array) -> float:

@@ -137,7 +137,9 @@ def _determined(calibration: Any) -> Note:
     if share <= DETERMINED_SHARE:
         return Note(Assumption.RESPONSE, Standing.ASYMPTOTIC, f"{statement}.", READING)
     advice = "give frame_compliance, more depths, or a second reference of another modulus"
-    return Note(Assumption.RESPONSE, Standing.APPROXIMATE, f"{statement}, and hardly told apart: {advice}.", READING)
+    return Note(
+        Assumption.RESPONSE, Standing.APPROXIMATE, f"{statement}, and can hardly be separated: {advice}.", READING
+    )
 
 
 def _described(calibration: Any) -> Note:

@@ -56,7 +56,7 @@ def first_yield_stress(force: float, modulus: float, tip_radius: float) -> float
 
 @value
 class PopInStatistics:
-    """First yield of n indentations, by growing force.
+    """First yield (pop-in) of n indentations, sorted by force.
 
     Parameters
     ----------
@@ -121,7 +121,7 @@ def pop_in_statistics(
     tip_radius, tip_radius_error : float
         Radius of the tip and its standard uncertainty [m].
     temperature : float, optional
-        T [K]; 295 unless given.
+        T [K]; 295 by default.
 
     Raises
     ------

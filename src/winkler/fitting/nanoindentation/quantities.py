@@ -96,7 +96,8 @@ def indentation_quantities(solution: NanoindentationSolution) -> IndentationQuan
     Parameters
     ----------
     solution : NanoindentationSolution
-        The uncertainty of those that need no power law follows from zero point, drift and calibration.
+        The evaluated indentation. For quantities without power-law fit the uncertainty follows from zero point, drift
+        and calibration.
     """
     problem = solution.problem
     curve = _placed(problem, solution.zero_point, solution.drift, problem.indenter)

@@ -20,7 +20,7 @@ class ReferenceSample:
     poisson : float
         nu [-].
     young_error : float, optional
-        Standard uncertainty of E [Pa]; zero unless given.
+        Standard uncertainty of E [Pa]; zero by default.
     name : str, optional
     """
 
@@ -32,7 +32,7 @@ class ReferenceSample:
     name: str = ""
 
     def modulus(self, solid: Elastic) -> float:
-        """Return the reduced modulus [Pa] with a tip."""
+        """Return the reduced modulus [Pa] of this sample and a tip."""
         return 1.0 / ((1.0 - self.poisson**2) / self.young + (1.0 - solid.poisson**2) / solid.young)
 
 

@@ -39,12 +39,12 @@ SIGNIFICANT = 2.0
 
 @value
 class ThermalDrift:
-    """Rate at which the depth drifts.
+    """Thermal drift: the rate of change of the depth.
 
     Parameters
     ----------
     rate : float
-        [m/s]; zero where no hold measures it.
+        [m/s]; zero if the curve has no hold period to measure it.
     error : float
         Its standard error [m/s].
     first, last : int
@@ -69,20 +69,19 @@ class ThermalDrift:
 
     @property
     def measured(self) -> bool:
-        """Whether a hold measures it."""
+        """Whether a hold period determines the drift."""
         return self.last > 0
 
 
 def found_drift(curve: ForceCurve, zero_point: ZeroPoint | tuple[()] = ()) -> ThermalDrift:
-    """Return the drift during the longest hold at less than a quarter of the maximum force, after an unloading or
-    first, if the tip is in contact there.
+    """Return the drift during the longest hold period below a quarter of the maximum force with the tip in contact.
 
     Parameters
     ----------
     curve : ForceCurve
         A curve with times. Without times, or without such a hold, the rate is zero and its error is not stated.
     zero_point : ZeroPoint, optional
-        Point of first touch; found by `found_zero_point` unless given.
+        Point of first touch; found by `found_zero_point` by default.
     """
     holds = _possible_holds(curve)
     if not holds:

@@ -168,7 +168,7 @@ def fitted_unloadings(curve: ForceCurve, *, upper: float = 0.98, lower: float = 
     curve : ForceCurve
         Corrected for drift, with the contact point at the position zero.
     upper, lower : float, optional
-        Parts of the force at the peak between which an unloading is fitted.
+        Fractions of the peak force between which an unloading is fitted.
 
     Raises
     ------

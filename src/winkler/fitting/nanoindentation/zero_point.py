@@ -48,7 +48,7 @@ class ZeroPoint:
     position : float
         D_0 [m].
     error : float
-        Its standard error [m], the doubt about the fitted range included.
+        Standard error of the position [m], including the uncertainty due to the choice of the fitted range.
     baseline : float
         Force before contact [N]; zero if no point was measured before contact.
     extrapolated : bool
@@ -68,12 +68,12 @@ class ZeroPoint:
 
 
 def found_zero_point(curve: ForceCurve, area: Sequence[float] | Array = (), rim: float = 0.0) -> ZeroPoint:
-    """Return where an indentation first touches.
+    """Return the position of first touch of an indentation.
 
     Parameters
     ----------
     curve : ForceCurve
-        With its first loading; corrected for drift and frame, if there is any.
+        A curve with its first loading, already corrected for drift and frame compliance.
     area : sequence of float, optional
         Coefficients of the area function of the tip, which determines the form of the force curve; by default a power
         of the depth.

@@ -52,7 +52,7 @@ def ratio_of(first: Population, second: Population, confidence: float = 0.95) ->
     Parameters
     ----------
     first, second : Population
-        Of a positive quantity, measured with one calibration.
+        Results for a positive quantity, measured with one calibration.
     confidence : float, optional
         Between 0 and 1.
 

@@ -30,17 +30,17 @@ class JointFit:
     correlation : ndarray, (q, q)
         Of their errors.
     logarithmic : tuple of bool, (q,)
-        Of which numbers the logarithm was varied.
+        Whether the logarithm of the parameter was varied.
     fits : tuple of Fit or ViscoelasticFit, (k,)
-        Each curve with the shared numbers and its own, and the errors of the joint fit.
+        The fit of each curve with the shared and its own parameters, and the errors of the joint fit.
     freedom : float
-        Independent points of all curves less all numbers.
+        Number of independent points of all curves minus the number of parameters.
     shares : ndarray, (k, q)
-        Part of the information on each common parameter that comes from each curve; the sum over the curves is 1.
+        Fraction of the information on each shared parameter that comes from each curve; the sum over the curves is 1.
     single_values, single_errors : ndarray, (k, q)
         Values from each curve alone, from the same linear equations; nan if the curve does not determine them.
     chances : ndarray, (k,)
-        How often a curve that shares the numbers would differ more from the others.
+        Probability that a curve with the same shared parameters would differ more from the others by chance.
     flags : tuple of Flag
         Doubts about the shared numbers.
     """
@@ -79,7 +79,7 @@ class JointFit:
         Raises
         ------
         InvalidInput
-            If it was not shared.
+            If the parameter is not shared.
         """
         if name not in self.names:
             raise InvalidInput(f"fit: '{name}' is not shared{suggest(name, self.names)}; {', '.join(self.names)} are.")

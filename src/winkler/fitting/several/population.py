@@ -115,7 +115,7 @@ class Population:
 
     @property
     def shared_variance(self) -> float:
-        """Part of the scatter of the numbers that is between the curves, not error within them."""
+        """Fraction of the variance that is due to differences between the curves, not to their errors."""
         whole = self.between**2 + self.within**2
         return self.between**2 / whole if whole > 0.0 else 0.0
 
@@ -131,7 +131,7 @@ class Population:
         return self._about(math.hypot(scatter, quantile(math.inf, confidence) * self.calibration))
 
     def range_of_curves(self, confidence: float = 0.95) -> tuple[float, float]:
-        """Return the interval in which the true number of another curve of this calibration lies.
+        """Return the interval for the true value of another curve with the same calibration.
 
         Parameters
         ----------
@@ -177,7 +177,7 @@ def population(
     errors : array_like, (k,)
         Their standard errors, in the same units; those of noise alone; zero or nan where one is unknown.
     logarithmic : bool, optional
-        Whether the number is positive, and its logarithm is averaged (unless given).
+        Whether the number is positive, and its logarithm is averaged (by default).
     calibration : float, optional
         Standard error of the calibration that all curves share; relative if `logarithmic`.
 

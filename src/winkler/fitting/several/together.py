@@ -54,15 +54,15 @@ def fit_together(
     curves : sequence of ForceCurve, (k,)
         At least two.
     models : model, or sequence of models, (k,)
-        One for all curves, or one for each, such as tips of different radii.
+        One model for all curves, or one for each curve, for example for tips of different radii.
     free : mapping or iterable of str
         As for `fit`, for every curve.
     shared : iterable of str
-        Which of them are the same for all curves; the others are each curve's own.
+        Free parameters that are the same for all curves; each curve has its own values of the others.
     noise : float or sequence of float, optional
         As for `fit`, one for all or one for each curve.
     time_limit : float, optional
-        Of the fit of one curve, and of the joint fit [s].
+        Time limit of the fit of one curve, and of the joint fit [s].
 
     Returns
     -------

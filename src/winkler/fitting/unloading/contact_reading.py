@@ -56,8 +56,8 @@ def intercept_factor(exponent: float) -> float:
 class CalibratedArea:
     """Cross-section of a calibrated tip, A(h) = C0 h^2 + C1 h + C2 h^(1/2) + C3 h^(1/4) + ..., where it was calibrated.
 
-    `AreaFunction` is the body of revolution with this area, which must grow from the apex on; a `CalibratedArea` needs
-    not, because a reading needs one depth alone.
+    `AreaFunction` is the body of revolution with this area, and requires an area that grows from the apex on. A
+    `CalibratedArea` has no such restriction.
 
     Parameters
     ----------
@@ -69,7 +69,7 @@ class CalibratedArea:
     Raises
     ------
     InvalidInput
-        If there are no finite coefficients, or the depths do not grow.
+        If a coefficient is not finite, or `deepest` is not greater than `shallowest`.
     """
 
     __words__ = words(
@@ -98,7 +98,7 @@ class CalibratedArea:
         Parameters
         ----------
         shape_factor : float, optional
-            beta [-], by which its radii are greater.
+            beta [-], the factor by which its radii are multiplied.
         """
         return CalibratedTip(self.coefficients, self.shallowest, self.deepest, shape_factor)
 
@@ -144,13 +144,13 @@ def contact_reading(
     Parameters
     ----------
     stiffness : float
-        S [N/m], of the contact alone.
+        Contact stiffness S [N/m], without the frame.
     force : float
         [N].
     depth : float
         h [m].
     tip : Profile or CalibratedArea
-        Its cross-section is A.
+        The tip, whose cross-section is A.
     intercept : float, optional
         epsilon [-]; by default 0.75, that of a paraboloid, as in most programs.
     shape_factor : float, optional
@@ -242,7 +242,7 @@ def sample_young(modulus: float, poisson: float, indenter: Solid) -> float:
     poisson : float
         Of the sample [-].
     indenter : Elastic or Rigid
-        Of diamond: Elastic(young=1141e9, poisson=0.07).
+        Indenter material; diamond is Elastic(young=1141e9, poisson=0.07).
 
     Returns
     -------

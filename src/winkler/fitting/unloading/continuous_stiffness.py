@@ -36,7 +36,7 @@ class ContinuousStiffness:
     stiffness : ndarray, (n,)
         In-phase stiffness of the oscillation [N/m].
     time : ndarray, (n,) or (0,), optional
-        [s], never falling; empty (unless given) where it is unknown.
+        [s], never falling; empty (by default) where it is unknown.
     machine_stiffness : float, optional
         Stiffness of the frame still contained in depth and stiffness [N/m]. Infinite by default, because most
         instruments have subtracted it.
@@ -84,7 +84,7 @@ class ContinuousStiffness:
 
     @property
     def count(self) -> int:
-        """How many points there are."""
+        """Number of points."""
         return int(self.depth.size)
 
     @property

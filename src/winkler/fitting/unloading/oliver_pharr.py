@@ -56,9 +56,9 @@ class OliverPharr:
         The tip: CalibratedArea(coefficients) or AreaFunction(coefficients), which give the required A(h_c), or any
         profile.
     contact_point : float, optional
-        Position of first touch [m]; zero unless given.
+        Position of first touch [m]; zero by default.
     upper, lower : float, optional
-        Parts of the maximum force between which the unloading is fitted [-].
+        Fractions of the maximum force between which the unloading is fitted [-].
     shape_factor : float, optional
         beta [-], 1 for bodies of revolution; often about 1.034 for a Berkovich pyramid.
 

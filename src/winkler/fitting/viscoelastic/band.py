@@ -38,9 +38,9 @@ def observed_times(found: ViscoelasticFit | CreepFit) -> tuple[float, float]:
 
 
 def relaxation_band(found: ViscoelasticFit | CreepFit, time: ArrayLike, confidence: float = 0.95) -> RelaxationBand:
-    """Return E*(t) of the fitted contact, phi(t) of a medium that relaxes in proportion, with its interval.
+    """Return the relaxation modulus E*(t), or phi(t) of proportional media, with its interval.
 
-    Of layers it is that of the solid that was fitted, as of a half-space of it.
+    For layers it is the modulus of a half-space of the fitted solid.
 
     The errors of the parameters are propagated to first order, in the logarithm of the modulus.
 

@@ -88,7 +88,7 @@ def read_friction_log(path: str | os.PathLike[str]) -> FrictionLog:
     Parameters
     ----------
     path : str or path
-        The file.  Units stand in its header, as in ``displacement [um], friction force [N]``; a column of the normal
+        The file.  Its header contains units, as in ``displacement [um], friction force [N]``; a column of the normal
         force is read where there is one.
 
     Returns
@@ -161,8 +161,8 @@ def read_pin(path: str | os.PathLike[str], *, speed: float = 0.0, units: Mapping
     path : str or path
         The file.
     speed : float, optional
-        Of sliding [m/s], of a log that has times and no distances.  Where its clock begins again, as with each step of
-        a program, the distance goes on; steps under headers of their own follow each other.
+        Sliding speed [m/s], for a log with times instead of distances. If the times start again, as at each step of a
+        test program, the distance continues; sections under separate headers are joined.
     units : mapping of str to str, optional
         Of times, where the header states none: ``{"time": "s"}``.
 

@@ -182,7 +182,7 @@ def _of_x3p(path: Path) -> str:
 
 
 def _refuse_cut_array(path: Path) -> None:
-    """Refuse a file of NumPy whose header or numbers end early: SurfaceTopography would read on for ever."""
+    """Refuse a file of NumPy whose header or numbers end early: SurfaceTopography would read on without end."""
     with path.open("rb") as file:
         if file.read(len(MAGIC_PREFIX)) != MAGIC_PREFIX:
             return

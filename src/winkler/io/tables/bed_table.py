@@ -29,7 +29,7 @@ def read_bed(path: str | os.PathLike[str], *, modulus: float = 0.0, mindlin_rati
     Parameters
     ----------
     path : str or path
-        The file.  Units stand in its header, as in ``depth [nm], force [mN]`` (loading alone, counted from first
+        The file.  Its header contains units, as in ``depth [nm], force [mN]`` (loading alone, counted from first
         touch) or ``radius [um], stiffness [N/m], depth [nm]``; columns with other names are ignored.
     modulus : float, optional
         E* [Pa] of the medium, positive: needed with a force curve, and only there.
@@ -43,7 +43,7 @@ def read_bed(path: str | os.PathLike[str], *, modulus: float = 0.0, mindlin_rati
     Raises
     ------
     InvalidInput
-        If the file cannot be read, or what it holds is no bed; or if the modulus is missing or not needed.
+        If the file cannot be read or does not define a foundation, or the modulus is missing or superfluous.
     """
     has_radii = names_columns(path, (RADIUS, STIFFNESS, DEPTH))
     if has_radii and modulus != 0.0:

@@ -40,11 +40,11 @@ def read_cross_profile(
     down : bool, optional
         Whether z counts downwards in the file, as usual for rails and wheels.
     mirrored : bool, optional
-        Whether y is to change its sign.
+        Whether to change the sign of y.
     smoothing : float, optional
-        As of `CrossProfile` [m].
+        As in `CrossProfile` [m].
     unit : str, optional
-        Of both columns, such as mm, where the first two are y and z without a header, as drawing programs write them.
+        Unit of both columns, such as mm, for files with y and z in the first two columns and no header.
 
     Returns
     -------

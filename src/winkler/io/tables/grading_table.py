@@ -27,7 +27,7 @@ def read_grading(path: str | os.PathLike[str], *, poisson: float = math.nan) -> 
     Parameters
     ----------
     path : str or path
-        The file.  Units stand in its header, as in ``depth [um], young [GPa], poisson``; depths begin with 0 at the
+        The file.  Its header contains units, as in ``depth [um], young [GPa], poisson``; depths begin with 0 at the
         surface and ascend, and the body is homogeneous below the last one.
     poisson : float, optional
         Poisson's ratio [-] at every depth, above -1 and at most 0.5: for a table that has no such column.
@@ -39,7 +39,7 @@ def read_grading(path: str | os.PathLike[str], *, poisson: float = math.nan) -> 
     Raises
     ------
     InvalidInput
-        If the file cannot be read, what it holds is no grading, or poisson is given twice or not at all.
+        If the file cannot be read, it does not contain a grading, or poisson is given twice or not at all.
     """
     has_poisson = names_columns(path, (DEPTH, YOUNG, POISSON))
     if has_poisson and not math.isnan(poisson):

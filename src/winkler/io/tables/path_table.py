@@ -41,7 +41,7 @@ def read_path(path: str | os.PathLike[str]) -> Path:
     Parameters
     ----------
     path : str or path
-        The file.  Units stand in its header, as in ``time [s], force [N], shift [um]``; other columns are ignored.
+        The file.  Its header contains units, as in ``time [s], force [N], shift [um]``; other columns are ignored.
 
     Returns
     -------
@@ -50,7 +50,7 @@ def read_path(path: str | os.PathLike[str]) -> Path:
     Raises
     ------
     InvalidInput
-        If the file cannot be read, a load is missing or given twice, or what it holds is no path.
+        If the file cannot be read, a load is missing or given twice, or it does not contain a path.
     """
     normals = [kind for kind, columns in NORMAL_COLUMNS.items() if names_columns(path, columns)]
     laterals = [kind for kind, columns in LATERAL_COLUMNS.items() if names_columns(path, columns)]

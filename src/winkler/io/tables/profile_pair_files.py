@@ -32,18 +32,18 @@ def read_profile_pair(
     Parameters
     ----------
     first, second : str or path
-        Of the lower and of the upper body, as of `read_cross_profile`: tables, Simpack's .prr and .prw, MiniProf's
+        Of the lower and of the upper body, as in `read_cross_profile`: tables, Simpack's .prr and .prw, MiniProf's
         .ban and .whl.
     down : bool or tuple of bool, optional
         Whether z counts downwards, in both files or in the first and in the second.
     mirrored : bool or tuple of bool, optional
         Whether y is to change its sign, in both or in each.
     smoothing : float, optional
-        As of `CrossProfile` [m].
+        As in `CrossProfile` [m].
     lateral : float, optional
-        Where y = 0 of the upper profile stands across, as of `ProfilePair` [m].
+        Lateral position of y = 0 of the upper profile, as in `ProfilePair` [m].
     unit : str, optional
-        Of y and z in both files, where these are two columns without a header, as of `read_cross_profile`.
+        Of y and z in both files, where these are two columns without a header, as in `read_cross_profile`.
 
     Returns
     -------

@@ -35,7 +35,7 @@ def read_profile(path: str | os.PathLike[str], *, peak: bool = False) -> Measure
     Parameters
     ----------
     path : str or path
-        The file.  Units stand in its header, as in ``radius [um], height [nm]``; columns with other names are ignored.
+        The file.  Its header contains units, as in ``radius [um], height [nm]``; columns with other names are ignored.
         Negative radii make it a scan across the apex, which is folded onto one flank; flanks that differ by more than
         5 % of the height are refused.
     peak : bool, optional
@@ -49,7 +49,7 @@ def read_profile(path: str | os.PathLike[str], *, peak: bool = False) -> Measure
     Raises
     ------
     InvalidInput
-        If the file cannot be read, or what it holds is no profile.
+        If the file cannot be read, or it does not contain a profile.
     """
     table = read_table(path, (RADIUS, HEIGHT))
     x, f = table.values[:, 0], table.values[:, 1] * (-1.0 if peak else 1.0)
@@ -66,7 +66,7 @@ def read_section(
     Parameters
     ----------
     path : str or path
-        The file.  Units stand in its header, as in ``place [um], height [nm]``; columns with other names are ignored.
+        The file.  Its header contains units, as in ``place [um], height [nm]``; columns with other names are ignored.
         Rows may stand in any order.
     peak : bool, optional
         Whether heights are largest at what touches first, as in a trace of a profilometer; their sign is then changed.
@@ -82,7 +82,7 @@ def read_section(
     Raises
     ------
     InvalidInput
-        If the file cannot be read, or what it holds is no section.
+        If the file cannot be read, or it does not contain a section.
     """
     table = read_table(path, (PLACE, HEIGHT))
     order = np.argsort(table.values[:, 0], kind="stable")

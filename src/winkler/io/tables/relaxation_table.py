@@ -244,10 +244,10 @@ def read_relaxation(
     Parameters
     ----------
     path : str or path
-        The file.  Units stand in its header, as in ``time [s], shear [kPa]``; other columns are ignored.  In place of
+        The file.  Its header contains units, as in ``time [s], shear [kPa]``; other columns are ignored.  In place of
         the modulus, a shear strain [% or -] that is held, within a tenth, and the shear stress.  A row at time zero is
-        left out; rows of one time whose numbers agree within a fifth, or as rows around them scatter, are averaged, and
-        the ``reading`` of the data says so.
+        left out; rows of one time whose numbers agree within a fifth, or as rows around them scatter, are averaged,
+        and the ``reading`` of the data says so.
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
     header : str, optional
@@ -263,7 +263,7 @@ def read_relaxation(
     Raises
     ------
     InvalidInput
-        If the file cannot be read, or what it holds is no relaxation.
+        If the file cannot be read, or it contains no relaxation test.
     """
 
     def read(part: str | os.PathLike[str]) -> RelaxationData:
@@ -290,7 +290,7 @@ def read_creep(
     Parameters
     ----------
     path : str or path
-        The file.  Units stand in its header, as in ``time [s], compliance [1/kPa]``; other columns are ignored.  In
+        The file.  Its header contains units, as in ``time [s], compliance [1/kPa]``; other columns are ignored.  In
         place of the compliance, a shear strain [% or -] and the shear stress that is held, within a tenth.  A row at
         time zero is left out; rows of one time whose numbers agree within a fifth, or as rows around them scatter, are
         averaged, and the ``reading`` of the data says so.
@@ -311,7 +311,7 @@ def read_creep(
     Raises
     ------
     InvalidInput
-        If the file cannot be read, or what it holds is no creep.
+        If the file cannot be read, or it contains no creep test.
     """
 
     def read(part: str | os.PathLike[str]) -> CreepData:
@@ -342,11 +342,11 @@ def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5, header: 
     Parameters
     ----------
     path : str or path
-        The file.  Units stand in its header, as in ``frequency [Hz], storage [kPa], loss [kPa]`` of shear (g', g''), or
-        ``tensile_storage [MPa], tensile_loss [MPa]`` (e', e'') of tension; other columns are ignored.  In place of the
-        loss, ``tan delta`` is read, and the complex modulus (g*, e*) with the phase angle (delta).  Rows of one
-        frequency whose moduli agree within a fifth are averaged, up to a fifth of the rows whose storage or loss is not
-        positive are left out, and the ``reading`` of the data says so.
+        The file.  Its header contains units, as in ``frequency [Hz], storage [kPa], loss [kPa]`` of shear (g', g''),
+        or ``tensile_storage [MPa], tensile_loss [MPa]`` (e', e'') of tension; other columns are ignored.  In place of
+        the loss, ``tan delta`` is read, and the complex modulus (g*, e*) with the phase angle (delta).  Rows of one
+        frequency whose moduli agree within a fifth are averaged, up to a fifth of the rows whose storage or loss is
+        not positive are left out, and the ``reading`` of the data says so.
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
     header : str, optional
@@ -362,7 +362,7 @@ def read_dynamic(path: str | os.PathLike[str], *, poisson: float = 0.5, header: 
     Raises
     ------
     InvalidInput
-        If the file cannot be read, or what it holds is no storage and loss.
+        If the file cannot be read, or it contains no storage and loss moduli.
     """
 
     def read(part: str | os.PathLike[str]) -> DynamicData:

@@ -60,18 +60,18 @@ def read_scan(path: str | os.PathLike[str], *, unit: str = "", channel: str = ""
     Parameters
     ----------
     path : str or path
-        A table with the columns place (x, lateral, ...) and height (z, raw, ...): units stand in its header, as in
-        ``x [um], z [nm]`` or ``Lateral um,Raw Micrometer``; what instruments write above it is skipped, and other
-        columns are ignored.  Or a file with a line scan that SurfaceTopography reads (extra ``topography``): OPDx,
-        Mitutoyo and others, two columns of numbers without a header; or a container (zip) of contact.engineering.
+        A table with the columns place (x, lateral, ...) and height (z, raw, ...): its header contains units, as in ``x
+        [um], z [nm]`` or ``Lateral um,Raw Micrometer``. Text of instruments above the header is skipped; other columns
+        are ignored.  Or a file with a line scan that SurfaceTopography reads (extra ``topography``): OPDx, Mitutoyo
+        and others, two columns of numbers without a header; or a container (zip) of contact.engineering.
     unit : str, optional
-        Of places and heights, such as um, where an instrument's file or two plain columns do not state it; two units,
-        such as "mm, um", where they differ.
+        Unit of positions and heights, such as um, for an instrument's file or two plain columns without units. Give
+        two units, such as "mm, um", if they differ.
     channel : str, optional
-        Which one of several scans of a file, or which measurement of a container; the first by default.  With a
-        `length` the name of the column of heights.
+        Name of one of several scans in a file, or of a measurement in a container; the first by default. With
+        `length`: name of the column of heights.
     length : float, optional
-        From the first to the last height [m], of a table that has heights at equal steps and no places.
+        Distance from the first to the last height [m], for a table of evenly spaced heights without positions.
 
     Returns
     -------
@@ -80,7 +80,7 @@ def read_scan(path: str | os.PathLike[str], *, unit: str = "", channel: str = ""
     Raises
     ------
     InvalidInput
-        If the file cannot be read, or what it holds is no scan.
+        If the file cannot be read, or it does not contain a scan.
     """
     file = existing(path, "a scan")
     if length:

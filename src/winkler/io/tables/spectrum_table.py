@@ -36,15 +36,15 @@ def read_spectrum(path: str | os.PathLike[str], *, per: str = "") -> PowerSpectr
     ----------
     path : str or path
         The file, with a column wave_number (q), wavelength (lambda) or spatial_frequency (f), and one of density (psd,
-        c).  Units stand in its header, as in ``wave_number [1/um], density [um^4]``; rows may rise or fall, and other
+        c).  Its header contains units, as in ``wave_number [1/um], density [um^4]``; rows may rise or fall, and other
         columns are ignored.  A density in m^3, um^3 and so on is that of line scans, two-sided (half of a one-sided
-        one); the surface is then taken to be isotropic, where the density rises it is levelled, and beyond its last
-        number it is continued as a power law, so that the last octave is a guess.  A scan itself, places and heights,
-        is taken as well (`read_scan`).
+        one); the surface is then assumed isotropic. Where this density rises with wave number, it is set constant.
+        Beyond its last value it is extrapolated as a power law, so that the last octave is uncertain.  A table of
+        positions and heights is accepted as well (`read_scan`); its spectrum is then computed.
     per : str, optional
-        Variable per which the density is counted; programs differ by 2 pi for every direction: "wave number", as in
+        Variable to which the density refers; programs differ by 2 pi for every direction: "wave number", as in
         Persson's papers, or "frequency", which is (2 pi)^2 times as much for a surface, as SurfaceTopography and
-        contact.engineering write it, also over wave numbers.  Unless given, it is what the first column counts.
+        contact.engineering write it, also over wave numbers.  By default it is the variable of the first column.
 
     Returns
     -------
@@ -54,7 +54,7 @@ def read_spectrum(path: str | os.PathLike[str], *, per: str = "") -> PowerSpectr
     Raises
     ------
     InvalidInput
-        If the file cannot be read, or what it holds is no spectrum.
+        If the file cannot be read, or it does not contain a spectrum.
 
     Notes
     -----

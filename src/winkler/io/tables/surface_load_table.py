@@ -36,11 +36,11 @@ def read_surface_load(path: str | os.PathLike[str], *, periodic: bool = False) -
     ----------
     path : str or path
         A table with the columns x, y and pressure, and x_traction and y_traction where there are some, whose header
-        names the units: one line for each pixel of a rectangular grid, in any order; pixels that are not listed bear
-        nothing.  Or an NPZ file with the arrays ``pressure`` (nx, ny) and ``lengths``, and if there are such
-        ``x_traction``, ``y_traction`` and ``corner``, in SI units.
+        names the units: one line for each pixel of a rectangular grid, in any order; pixels that are not listed carry
+        no load.  Or an NPZ file with the arrays ``pressure`` (nx, ny) and ``lengths``, and optionally ``x_traction``,
+        ``y_traction`` and ``corner``, in SI units.
     periodic : bool, optional
-        Whether the map is repeated for ever.
+        Whether the map is repeated without end.
 
     Returns
     -------

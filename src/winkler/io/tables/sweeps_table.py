@@ -45,8 +45,8 @@ def read_dynamic_sweeps(path: str | os.PathLike[str], *, poisson: float = 0.5, h
     path : str or path
         A table with the columns temperature, frequency (f) or angular_frequency (omega), and storage and loss of shear
         (g', g'') or of tension (tensile_storage, tensile_loss, e', e''), as in ``temperature [degC], frequency [Hz],
-        storage [MPa], loss [MPa]``; or one with a group of columns for each temperature, which stands above their names
-        or in them, as ``G' (20 °C)``; or a pattern such as ``"rubber_*.csv"`` of several such tables.
+        storage [MPa], loss [MPa]``; or one with a group of columns for each temperature, which is stated above or in
+        the column names, as ``G' (20 °C)``; or a pattern such as ``"rubber_*.csv"`` of several such tables.
     poisson : float, optional
         nu [-], above -1 and at most 0.5.
     header : str, optional

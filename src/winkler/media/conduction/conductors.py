@@ -39,12 +39,12 @@ class ElectricalConductors:
     second : ElectricalConductor, Plated or Rod
         The body above, z < 0.
     film : SurfaceFilm, optional
-        Between them; none unless given.
+        Between them; none by default.
 
     Raises
     ------
     InvalidInput
-        If a body does not conduct current.
+        If a body is not an electrical conductor.
     """
 
     first: Annotated[ConductingBody, CONDUCTS_CURRENT]
@@ -57,7 +57,7 @@ class ElectricalConductors:
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """What is assumed of the bodies and the film."""
+        """The assumptions for the bodies and the film."""
         return conduction_notes(self.first, self.second, self.film.area_resistance)
 
 
@@ -72,12 +72,12 @@ class HeatConductors:
     second : ThermalConductor, Plated or Rod
         The body above, z < 0.
     interface : ThermalInterface, optional
-        How well heat passes between the surfaces; without resistance unless given.
+        Thermal resistance between the surfaces; none by default.
 
     Raises
     ------
     InvalidInput
-        If a body is given as a conductor of current.
+        If a body is an electrical conductor.
     """
 
     first: Annotated[ConductingBody, CONDUCTS_HEAT]
@@ -90,5 +90,5 @@ class HeatConductors:
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """What is assumed of the bodies and the interface."""
+        """The assumptions for the bodies and the interface."""
         return conduction_notes(self.first, self.second, self.interface.area_resistance)

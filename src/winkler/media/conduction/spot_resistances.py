@@ -73,7 +73,7 @@ def spot_resistances(
     area_resistance
         Of a film between them [ohm m^2 or m^2 K/W].
     periodic
-        Whether the contact is repeated for ever; the resistance is then that of one period beyond that of the same
+        Whether the contact is repeated without end; the resistance is then that of one period beyond that of the same
         bodies in full contact without film.
 
     Raises

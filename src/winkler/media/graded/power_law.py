@@ -52,7 +52,7 @@ class GradedHalfSpace:
     first : PowerLawGraded or Rigid
         The body below, z > 0.
     second : PowerLawGraded or Rigid, optional
-        The body above, z < 0; rigid unless given.
+        The body above, z < 0; rigid by default.
 
     Raises
     ------
@@ -85,7 +85,7 @@ class GradedHalfSpace:
 
     @classmethod
     def between(cls, first: Body, second: Body = RIGID) -> GradedHalfSpace:
-        """Return the medium between two bodies; the second is rigid unless given."""
+        """Return the medium between two bodies; the second is rigid by default."""
         return cls(first, second)
 
     @property
@@ -245,8 +245,8 @@ class GradedHalfSpace:
     def pressure(self, displacement: Displacement, r: Array) -> Array:
         """p(r) [Pa]: flat punches with the pressure (a^2 - r^2)^((k-1)/2), superposed.
 
-        Of a kink of the displacement only place and strength are used: in every graded medium the slope just above it
-        holds -strength x^-k (x^2 - b^2)^((k-1)/2), with the same strength b times jump of f'.
+        For a kink of the displacement only position and strength are used. In every graded medium the slope just above
+        the kink contains -strength x^-k (x^2 - b^2)^((k-1)/2); the strength is b times the jump of f'.
         """
         return self._surface_modulus * graded_pressure(
             displacement.slope, displacement.kinks, displacement.edge, displacement.radius, self.exponent, r
@@ -258,7 +258,7 @@ class GradedHalfSpace:
         return graded_abel.surface(displacement.value, edges, self.exponent, r, displacement.radius)
 
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
-        """Refused: the stresses below the surface of a graded body are not known to winkler."""
+        """Not supported: stresses below the surface of a graded body are not implemented."""
         raise OutsideValidity(
             "The stresses inside a GradedHalfSpace are not implemented: below the surface the power law has no "
             "closed flat-punch field; request the surface (without z), or sample the grading by a layered medium."

@@ -1,4 +1,4 @@
-r"""Stresses and displacements in a half-space under a map of loads that is repeated for ever.
+r"""Stresses and displacements in a half-space under a map of loads that is repeated without end.
 
 The loads are the waves through the middles of the pixels.  One of wave numbers :math:`k_x, k_y` decays as
 :math:`e^{-qz}` with :math:`q^2=k_x^2+k_y^2`; the potentials of `winkler.media.interior.rectangle` are

@@ -261,7 +261,7 @@ class LayeredMedium:
         moved : Displacement
             u(x) of the springs along the surface [m], of both bodies together.
         x, y, z, below
-            As of `dragged_interior`.
+            As in `dragged_interior`.
         """
         return self._under_traction(CarriedLoad(moved, self.tangential_response), self.shear_modulus, x, y, z, below)
 
@@ -341,11 +341,11 @@ class CoatedHalfSpace(StackMedium):
     Parameters
     ----------
     layers : sequence of Layer
-        From the surface down, at least one.
+        At least one layer, in order from the surface down.
     on : Elastic or Rigid
-        What carries them: an infinitely deep substrate, or a base that does not deform.
+        The body below the layers: an infinitely deep substrate, or a rigid base.
     second : Elastic or Rigid, optional
-        The other body, z < 0; rigid unless given.
+        The other body, z < 0; rigid by default.
 
     Raises
     ------
@@ -388,11 +388,11 @@ class StackedHalfSpace(StackMedium):
     Parameters
     ----------
     layers : sequence of StackLayer or Layer
-        From the surface down, at least one.  A `Layer` is bonded.
+        At least one layer, in order from the surface down.  A `Layer` is bonded.
     on : Elastic, TransverselyIsotropic or Rigid
-        What carries them: an infinitely deep substrate, or a base that does not deform.
+        The body below the layers: an infinitely deep substrate, or a rigid base.
     second : Elastic, TransverselyIsotropic or Rigid, optional
-        The other body, z < 0; rigid unless given.
+        The other body, z < 0; rigid by default.
 
     Raises
     ------
@@ -452,9 +452,9 @@ class SlidingFilm(StackMedium):
     layers : sequence of Layer
         One layer.
     on : Elastic or Rigid
-        What carries it: an infinitely deep substrate, or a base that does not deform.
+        The body below the layer: an infinitely deep substrate, or a rigid base.
     second : Elastic or Rigid, optional
-        The other body, z < 0; rigid unless given.
+        The other body, z < 0; rigid by default.
 
     Raises
     ------

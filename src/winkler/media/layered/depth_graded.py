@@ -38,7 +38,7 @@ class DepthGradedHalfSpace(LayeredMedium):
     grading : ExponentialGrading, SigmoidalGrading, TabulatedGrading or another DepthGrading
         E(z) and nu(z), constant far below.
     second : Elastic or Rigid, optional
-        The other body; rigid unless given.
+        The other body; rigid by default.
     tolerance : float, optional
         Relative error of every k(a), between 1e-7 and 1e-2.
 
@@ -85,8 +85,8 @@ class DepthGradedHalfSpace(LayeredMedium):
                 Assumption.RESPONSE,
                 Standing.ASYMPTOTIC,
                 "The graded body is divided into thin cells in depth; the relative error of every contact "
-                f"stiffness k(a) is at most {self.tolerance:.0e}. Frictionless contact of an isotropic, linear "
-                "elastic body.",
+                f"stiffness k(a) is at most {self.tolerance:.0e}. The contact is assumed frictionless, and "
+                "the body isotropic and linear elastic.",
                 "refinement of the cells until the surface compliance moves by less",
             ),
         )

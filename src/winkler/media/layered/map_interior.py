@@ -97,7 +97,7 @@ class MapInLayers:
     pixel : tuple of float
         (dx, dy) [m].
     periodic : bool
-        Whether the map is repeated for ever.
+        Whether the map is repeated without end.
     """
 
     def __init__(self, medium: LayerStack, loads: Array, pixel: tuple[float, float], *, periodic: bool = False) -> None:

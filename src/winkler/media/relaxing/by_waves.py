@@ -34,7 +34,7 @@ class RelaxingByWaves(RelaxingLayers, Protocol):
 
     @property
     def relaxed(self) -> CoatedHalfSpace:
-        """The elastic stack that is left after all time."""
+        """The elastic stack at long times."""
         raise NotImplementedError
 
     def loaded_waves(self, mode: Mode, s: ComplexArray, xi: Array) -> ComplexArray:

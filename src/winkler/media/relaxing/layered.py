@@ -67,11 +67,11 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
     Parameters
     ----------
     layers : sequence of Layer and ViscoelasticLayer
-        From the surface down, at least one.
+        At least one layer, in order from the surface down.
     on : Elastic, Rigid or ViscoelasticSolid
-        What carries them: an infinitely deep substrate, or a base that does not deform.
+        The body below the layers: an infinitely deep substrate, or a rigid base.
     second : Elastic, Rigid or ViscoelasticSolid, optional
-        The other body, z < 0; rigid unless given.
+        The other body, z < 0; rigid by default.
 
     Raises
     ------
@@ -129,7 +129,7 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
 
     @property
     def relaxed(self) -> CoatedHalfSpace:
-        """The elastic stack that is left after all time."""
+        """The elastic stack at long times."""
         return self.elastic_with(RELAXED)
 
     def elastic_with(self, shear: ShearOf) -> CoatedHalfSpace:
@@ -139,7 +139,7 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
 
     @property
     def span(self) -> tuple[float, float]:
-        """From which time on and up to which the series of all solids are the solids [s]."""
+        """Shortest and longest time [s] between which the series of all solids are valid."""
         spans = [solid.span for solid in self.relaxing_solids]
         return max(shortest for shortest, _ in spans), min(longest for _, longest in spans)
 
@@ -174,13 +174,13 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
         return float(self.bodies.thickness)
 
     def waves(self, part: Wave, xi: Array, s: ComplexArray) -> ComplexArray:
-        """What both surfaces answer to waves, as of `RelaxingMedium.waves`."""
+        """Response of both surfaces to harmonic pressures, as in `RelaxingMedium.waves`."""
         xi, s = np.broadcast_arrays(xi, s)
         rates = s.ravel()
         return self._waves_of(part, xi.ravel(), lambda solid: solid_at(solid, rates)).reshape(xi.shape)
 
     def waves_at_modulus(self, shear: ComplexArray, xi: Array) -> ComplexArray:
-        """Return c [1/Pa] of waves [1/m] ``(m,)`` if all solids that relax had a shear modulus [Pa] ``(S,)``."""
+        """Return c [1/Pa] of waves [1/m] ``(m,)`` for shear moduli of the relaxing solids [Pa] ``(S,)``."""
         moduli = np.repeat(shear, xi.size)
 
         def own(solid: Any) -> Any:

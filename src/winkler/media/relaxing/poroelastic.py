@@ -61,9 +61,9 @@ BIOT = (
 class PoroelasticFilm(RelaxingByWaves):
     """A liquid-filled network, bonded to a rigid, impermeable base and drained at its surface.
 
-    Liquid also passes into the indenter. For contacts wider than some 40 thicknesses the creep within 1e-5 h^2/D is
-    taken as instantaneous. The peak of an undrained film, hundreds of times the later force, is over long before. The
-    force is then 3 % too high at 1e-4 h^2/D and 0.3 % at 1e-3 h^2/D.
+    Liquid also passes into the indenter. For contacts wider than about 40 thicknesses the creep within the time 1e-5
+    h^2/D is treated as instantaneous. The force peak of the undrained film, hundreds of times the later force, is much
+    shorter than this time. The force is therefore 3 % too high at the time 1e-4 h^2/D, and 0.3 % at 1e-3 h^2/D.
 
     The response depends on time. `ViscoelasticIndentation`, `CreepTest`, `RelaxationTest`, `HarmonicIndentation` and
     `ViscoelasticImpact` support it, and `LineViscoelasticIndentation` in line contact.
@@ -79,12 +79,13 @@ class PoroelasticFilm(RelaxingByWaves):
     thickness : float
         h [m], positive.
     second : Rigid, Elastic or ViscoelasticSolid, optional
-        The body that is pressed in, z < 0; rigid unless given.
+        The body that is pressed in, z < 0; rigid by default.
 
     Raises
     ------
     InvalidInput
-        If a number is outside its range, or the second body flows for ever or has an infinite modulus at first.
+        If a number is outside its range, or the second body is a liquid at long times or has an infinite modulus at
+        short times.
 
     References
     ----------
@@ -132,7 +133,7 @@ class PoroelasticFilm(RelaxingByWaves):
 
     @property
     def on(self) -> Rigid:
-        """What carries the film."""
+        """The base of the film."""
         return RIGID
 
     @property
@@ -156,16 +157,16 @@ class PoroelasticFilm(RelaxingByWaves):
 
     @property
     def span(self) -> tuple[float, float]:
-        """All times are known, those of a second body that relaxes apart [s]."""
+        """Range of times [s] in which the response is valid: all times, unless a viscoelastic second body limits it."""
         return self.second.span if isinstance(self.second, ViscoelasticSolid) else (0.0, math.inf)
 
     def waves(self, part: Wave, xi: Array, s: ComplexArray) -> ComplexArray:
-        """What both surfaces answer to waves, as of `RelaxingMedium.waves`.
+        """Response of both surfaces to harmonic pressures, as in `RelaxingMedium.waves`.
 
         Raises
         ------
         OutsideValidity
-            Of shear, which meets the liquid in a manner of its own.
+            For shear, because the effect of the liquid on shear is not implemented.
         """
         if part is Wave.ACROSS:  # which moves no liquid
             film = np.tanh(xi * self.thickness) / (2.0 * self.shear)

@@ -51,9 +51,9 @@ class RelaxingInProportion(RelaxingLayers):
     Parameters
     ----------
     medium : GradedHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace, TransverselyIsotropicHalfSpace or HalfSpace
-        The bodies with the moduli that they have when the shear modulus of the solid is `shear`.
+        The bodies, with the moduli that correspond to the shear modulus `shear` of the solid.
     solid : ViscoelasticSolid
-        Only the course of its shear modulus G(t) counts; Poisson's ratios are those of the medium.
+        A solid of which only the shear modulus G(t) is used; Poisson's ratios are those of the medium.
     shear : float
         Shear modulus [Pa] of the solid that corresponds to the moduli of the medium: the relaxed one, the glassy one,
         or any other.
@@ -89,12 +89,12 @@ class RelaxingInProportion(RelaxingLayers):
 
     @property
     def elastic(self) -> ElasticMedium:
-        """The medium with the moduli that it was given."""
+        """The elastic medium with the given moduli."""
         return self.medium
 
     @property
     def bodies(self) -> ElasticMedium:
-        """The medium that names the solids."""
+        """The medium that contains the solids."""
         return self.medium
 
     @property
@@ -104,7 +104,7 @@ class RelaxingInProportion(RelaxingLayers):
 
     @property
     def second(self) -> Any:
-        """The other body with the moduli that it was given."""
+        """The other body with the given moduli."""
         return self.medium.second
 
     @property
@@ -114,11 +114,11 @@ class RelaxingInProportion(RelaxingLayers):
 
     @property
     def creep(self) -> CreepSeries:
-        """What a step of load makes of the compliance [-]."""
+        """Creep function: the compliance after a step of load, normalised [-]."""
         return of_relaxation(self.relaxation)
 
     def waves(self, part: Wave, xi: Array, s: ComplexArray) -> ComplexArray:
-        """What both surfaces answer to waves, as of `RelaxingMedium.waves`; the medium is no power law."""
+        """Response of both surfaces to harmonic pressures, as in `RelaxingMedium.waves`; the medium is no power law."""
         medium: Any = self.medium
         if offers(medium, PowerOfDepth):
             raise OutsideValidity(
@@ -137,7 +137,7 @@ class RelaxingInProportion(RelaxingLayers):
 
     @property
     def span(self) -> tuple[float, float]:
-        """From which time on and up to which the series is the solid [s]."""
+        """Range of times [s] in which the series represents the solid."""
         return self.solid.span
 
     @property
@@ -154,8 +154,7 @@ class RelaxingInProportion(RelaxingLayers):
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
         """Stresses and displacements inside the first body (`below`) or the second, at depths z >= 0 into it.
 
-        Both are linear in the displacement of the springs: stresses in what they bear, displacements in how far they
-        are pressed in.
+        Both are linear in the state of the springs: stresses in their forces, displacements in their deflections.
         """
         borne = self.elastic_parts(displacement)
         moved = np.array(self.medium.interior(displacement, r, z, below=below))

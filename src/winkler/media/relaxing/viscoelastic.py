@@ -40,15 +40,15 @@ UNIT_HALF_SPACE = HalfSpace(Elastic(0.75, 0.5))
 class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
     """Two homogeneous half-spaces in contact, at least one of them viscoelastic.
 
-    Its response depends on time: a `winkler.problems.viscoelastic.indentation.ViscoelasticIndentation` needs
-    it.  Its moduli right after a sudden step, and after all time, are `relaxation.glassy` and `relaxation.relaxed`.
+    The response depends on time; use problems for viscoelastic bodies such as `ViscoelasticIndentation`. The moduli at
+    short and long times are `relaxation.glassy` and `relaxation.relaxed`.
 
     Parameters
     ----------
     first : ViscoelasticSolid, Elastic or Rigid
         The body below, z > 0.
     second : ViscoelasticSolid, Elastic or Rigid, optional
-        The body above, z < 0; rigid unless given.
+        The body above, z < 0; rigid by default.
 
     Raises
     ------
@@ -84,7 +84,7 @@ class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
 
     @property
     def creep(self) -> CreepSeries:
-        """What a step of load makes of the pair, 1/E* as it grows [1/Pa]."""
+        """Creep function of the pair: 1/E* as a function of the time after a step of load [1/Pa]."""
         return _creep(self)
 
     @property
@@ -94,14 +94,14 @@ class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
 
     @property
     def span(self) -> tuple[float, float]:
-        """From which time on and up to which the series of both bodies are the solids [s]."""
+        """Shortest and longest time [s] between which the series of both bodies are valid."""
         spans = [body.span for body in (self.first, self.second) if isinstance(body, ViscoelasticSolid)]
         return max(shortest for shortest, _ in spans), min(longest for _, longest in spans)
 
     modulus = shear_modulus = torsional_modulus = along_modulus = property(RelaxingMedium._changing)
 
     def waves(self, part: Wave, xi: Array, s: ComplexArray) -> ComplexArray:
-        """What both surfaces answer to waves, as of `RelaxingMedium.waves`: of all lengths the same."""
+        """Response of both surfaces to harmonic pressures, as in `RelaxingMedium.waves`: of all lengths the same."""
         xi, s = np.broadcast_arrays(xi, s)
         own = half_space_compliance(solid_at(self.first, s), part)
         return both(part, np.full(xi.shape, own, dtype=complex), solid_at(self.second, s))
@@ -119,7 +119,8 @@ class ViscoelasticHalfSpace(RelaxingMedium, HomogeneousMedium):
         Raises
         ------
         OutsideValidity
-            If the body is rigid, or both creep and not in proportion: how much each of them moves is then not known.
+            If the body is rigid, or both bodies creep by different functions, so that their shares of the displacement
+            are not known.
         """
         borne = self.elastic_parts(displacement)
         body, other = (self.first, self.second) if below else (self.second, self.first)

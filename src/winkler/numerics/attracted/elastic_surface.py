@@ -40,7 +40,7 @@ class ElasticSurface(NamedTuple):
     torus
         Pixels of the torus, those of the map if it is periodic.
     periodic
-        Whether the map is repeated for ever; its mean displacement is then zero.
+        Whether the map is repeated without end; its mean displacement is then zero.
     stiffness, compliance
         Of each wave; compliance of the mean of a periodic map is zero.
     single_stiffness, single_compliance

@@ -26,7 +26,7 @@ class RelaxationSeries:
     Parameters
     ----------
     relaxed : float
-        What is left after all time [Pa], zero of a fluid.
+        What is left after all time [Pa], zero for a fluid.
     viscosity : float
         Of a dashpot alongside [Pa s].
     moduli : ndarray, (m,)
@@ -75,7 +75,7 @@ class CreepSeries:
     glassy : float
         The immediate compliance [1/Pa].
     fluidity : float
-        How fast it flows for ever [1/(Pa s)].
+        How fast it flows without end [1/(Pa s)].
     compliances : ndarray, (n,)
         [1/Pa], positive.
     times : ndarray, (n,)
@@ -155,7 +155,8 @@ def zeros(series: RelaxationSeries) -> tuple[Array, Array]:
     Returns
     -------
     rates : ndarray, (k,)
-        1/lambda [1/s] ascending, the first one zero of a fluid; one for each relaxation time, one more with a dashpot.
+        1/lambda [1/s] ascending, the first one zero for a fluid; one for each relaxation time, one more with a
+        dashpot.
     residues : ndarray, (k,)
         Of 1/M(s) there, C_k / lambda_k [1/(Pa s)].
     """

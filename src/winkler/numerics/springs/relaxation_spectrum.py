@@ -63,7 +63,7 @@ class SpectrumEstimate(NamedTuple):
     residuals : tuple of ndarray
         Of the logarithms, for each kind.
     freedom : float
-        Number of measurements less that of the numbers they determine.
+        Number of measurements minus number of fitted parameters.
     """
 
     times: Array
@@ -109,7 +109,7 @@ def estimate_spectrum(
     Raises
     ------
     NotConverged
-        If the search does not settle.
+        If the iteration does not converge.
     """
     k, m = times.size, shifts.size
     others = np.arange(m) != reference

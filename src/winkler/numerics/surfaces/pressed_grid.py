@@ -163,7 +163,7 @@ def press(
     drive
         What is prescribed.
     periodic
-        Whether the surface is repeated for ever.
+        Whether the surface is repeated without end.
     ceiling
         Hardness over E*: pressures do not rise above it.
     tolerance

@@ -94,7 +94,7 @@ class SurfaceGrid(NamedTuple):
         pixel
             (dx, dy), the size of one of them [m].
         periodic
-            Whether the surface goes on for ever, repeated, or bears nothing outside.
+            Whether the surface goes on without end, repeated, or bears nothing outside.
         digits
             Of all transforms: single ones are three times as fast, and good enough for small changes.
         layers

@@ -68,7 +68,7 @@ MACHINE_STIFFNESS_RANGE = POSITIVE_OR_INFINITE._replace(
 
 @value
 class AdhesiveCycle:
-    """Slow approach and retraction of an adhesive contact along a path.
+    """Quasi-static approach and retraction of an adhesive contact along a path.
 
     The bodies are apart at the beginning and first approach up to the first point of the path.
 
@@ -77,19 +77,20 @@ class AdhesiveCycle:
     bed : Bed
         The springs: Foundation(profile, medium).
     law : ShortRange, Dugdale or DerjaguinMullerToporov
-        ShortRange(work), or with hysteresis ShortRange(work_closing=..., work_opening=...), on elastic media.  Under
-        laws with a range the bodies attract each other before they touch; Dugdale on homogeneous half-spaces
-        and on layers.
+        ShortRange(work), or with hysteresis ShortRange(work_closing=..., work_opening=...), on elastic media. Dugdale
+        is supported on homogeneous half-spaces and on layers. Under laws with a finite range the bodies attract each
+        other before contact.
     path : Depth or Force
-        Positions of the far end of the machine [m], or dead loads [N], one after the other, ``(steps,)``.  A dead load
-        below the pull-off force ends the path, because no equilibrium exists.
+        Positions of the drive of the machine [m], or dead loads [N], in sequence, ``(steps,)``.  A dead load below the
+        pull-off force ends the path, because no equilibrium exists.
     machine_stiffness : float, optional
-        k_m [N/m] of the spring between far end and contact, as of a cantilever; infinite for fixed grips.
+        Stiffness k_m [N/m] between drive and contact, such as that of a cantilever; infinite for fixed grips.
 
     Raises
     ------
     InvalidInput
-        If the path is not a row of numbers, the law none of adhesion, or a dead load is given a machine stiffness.
+        If the path is not a one-dimensional array, the law is not a law of adhesion, or a machine stiffness is given
+        with dead loads.
 
     References
     ----------
@@ -145,7 +146,7 @@ class AdhesiveCycle:
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: one for every point of the path."""
+        """Number of states that `steps` yields: one for every point of the path."""
         return int(numbers_of(self.path).size)
 
     def steps(self) -> Iterator[AdhesiveState[float]]:
@@ -179,7 +180,7 @@ class AdhesiveCycle:
                 yield AdhesiveState(position, depths[i], forces[i], radii[i], lost, wasted, jumps)
 
     def gathered(self, states: Iterable[AdhesiveState[float]]) -> AdhesiveCycleSolution:
-        """Return the solution made of these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its first part."""
         every = list(states)
         jumps = tuple(jump for state in every for jump in state.jumps)
         return gather(AdhesiveCycleSolution, self, every, jumps=jumps)
@@ -222,13 +223,13 @@ class AdhesiveCycleSolution(AdhesiveState[Array], Looped):
 
     @property
     def energy(self) -> Array:
-        """Energy of bodies, machine and surfaces, less what closing has gained [J], ``(steps,)``; zero apart."""
+        """Energy of bodies, machine and surfaces, minus that gained on closing [J], ``(steps,)``; zero apart."""
         inner = self.problem._edge.energy(self.depth, self.force, self.radius)
         return np.asarray(inner + 0.5 * self.force**2 / self.problem.machine_stiffness)
 
     @property
     def work(self) -> Array:
-        """What the machine (or the dead load) has spent since the beginning, the integral of F dD [J], ``(steps,)``.
+        """Work of the machine or the dead load since the beginning: the integral of F dD [J], ``(steps,)``.
 
         Over a path that begins and ends without contact it is the work of the cycle, equal to the dissipated energy.
         """
@@ -236,7 +237,7 @@ class AdhesiveCycleSolution(AdhesiveState[Array], Looped):
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """How far the result can be trusted; what depends on the contact is stated for the widest one."""
+        """How far the result can be trusted; notes that depend on the contact are for the widest contact."""
         problem = self.problem
         return (
             *adhesive_notes(problem.bed, problem.law, self.depth, self.radius),

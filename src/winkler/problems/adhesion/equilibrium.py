@@ -46,7 +46,7 @@ class Equilibrium:
     machine_stiffness : float, optional
         Machine stiffness that decides stability [N/m]: 0 for a dead load, inf for fixed grips (the default).
     count : int, optional
-        Points of the curve; kinks of the profile and limits of stability are added.
+        Number of points of the curve; kinks of the profile and limits of stability are added.
 
     Raises
     ------
@@ -184,7 +184,7 @@ class EquilibriumCurve:
 
     @property
     def stable(self) -> Array:
-        """Which points are stable on the machine, bool ``(n,)``; limits count."""
+        """Which points are stable with the given machine stiffness, limits included, bool ``(n,)``."""
         inside = (self.radius[:, None] >= self.starts) & (self.radius[:, None] <= self.stops)
         return np.asarray(np.any(inside, axis=1))
 
@@ -198,9 +198,9 @@ class EquilibriumCurve:
 
     @property
     def jumps(self) -> tuple[EquilibriumJump, ...]:
-        """Where the edge runs to from the ends of branches: first those of pulling off, inward, then of pressing on.
+        """Jumps of the contact edge from the ends of stable branches, first during pull-off, then during loading.
 
-        A branch that ends with the curve has no jump there; of pressing on from no contact, none either.
+        The end of the curve and the first contact on loading are not listed as jumps.
         """
         problem = self.problem
         states, machine = states_of(problem.bed, problem.law), problem.machine_stiffness

@@ -46,7 +46,7 @@ class AdhesiveIndentation(PerLoad[Q]):
     bed : Bed
         The springs: Foundation(profile, medium) on any medium, or another bed.
     law : ShortRange, Dugdale or DerjaguinMullerToporov
-        How the surfaces attract each other; with hysteresis, the work of opening counts.
+        Law of attraction between the surfaces; with hysteresis, the work of opening is used.
     load : Force, Depth or Radius
         A force is a dead load, a depth means fixed grips. For an array the results have its shape.
 
@@ -159,7 +159,7 @@ class AdhesiveSolution(PerLoad[Q]):
 
     @property
     def energy_release_rate(self) -> Q:
-        """G [J/m^2] of the edge: the work of adhesion where the edge is free, less where a rim holds it."""
+        """G [J/m^2] at the edge: the work of adhesion for a free edge, less for an edge at a rim."""
         law = self.problem.law
         if isinstance(law, ShortRange):
             depth, radius = np.asarray(self.depth), np.asarray(self.radius)
@@ -190,7 +190,7 @@ class AdhesiveSolution(PerLoad[Q]):
 
     @property
     def stiffness(self) -> Q:
-        """dF/dd along the equilibria [N/m]; k(a) where a rim holds the edge, infinite where the depth stands still."""
+        """dF/dd along the equilibria [N/m]: k(a) for an edge at a rim, infinite where the depth is stationary."""
         bed, radius = self.problem.bed, np.ravel(self.radius)
         result = np.array(bed.stiffness(radius), dtype=float)
         free = (radius > 0.0) & (radius < bed.rim)
@@ -201,7 +201,7 @@ class AdhesiveSolution(PerLoad[Q]):
 
     @property
     def energy(self) -> Q:
-        """Elastic energy U [J]; that of the surfaces, -work pi a^2 without range, is not in it."""
+        """Elastic energy U [J], without the surface energy (-work pi a^2 for an attraction without range)."""
         states = self._states
         parts = [
             _elastic_energy(states.pressed(float(d), float(a))) if a > 0.0 else 0.0
@@ -211,12 +211,12 @@ class AdhesiveSolution(PerLoad[Q]):
 
     @property
     def pull_off(self) -> PullOffSolution:
-        """Where the contact comes apart under a dead load."""
+        """The point at which the contact separates under a dead load."""
         return PullOff(self.problem.bed, self.problem.law).solve()
 
     @property
     def pressed(self) -> PressedSprings:
-        """The displacement of the springs, from which the fields are restored; of one load, not of an array."""
+        """The displacement of the springs, for computing fields; available for one load, not for an array."""
         return self._states.pressed(single(self.depth, "fields"), float(self.radius))
 
     def at(self, index: int | tuple[int, ...]) -> AdhesiveSolution[float]:

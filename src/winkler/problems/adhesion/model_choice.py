@@ -99,9 +99,9 @@ def which_model(bed: Bed, law: Dugdale, load: Force = UNLOADED, *, tolerance: fl
     law : Dugdale
         Work of adhesion and strength of the attraction; for molecular forces strength is about work / 0.3 nm.
     load : Force, optional
-        The load of interest [N], zero or positive: under a great one adhesion may play no part.
+        The load of interest [N], zero or positive. At large loads adhesion may be negligible.
     tolerance : float, optional
-        Relative error that is allowed in the pull-off and, under the load, in the contact radius.
+        Permitted relative error of the pull-off force and, under the load, of the contact radius.
 
     Raises
     ------

@@ -81,7 +81,7 @@ class PullOff:
         Raises
         ------
         OutsideValidity
-            If the law does not hold for the bed, or no load settles the contact.
+            If the law does not hold for the bed, or no stable contact exists.
         """
         states, machine = states_of(self.bed, self.law), self.machine_stiffness
         starts = np.array([branch.start for branch in branches_beyond(states, machine, 0.0)])

@@ -79,7 +79,8 @@ class AdhesiveShear(PerLoad[Q]):
     law : ShortRange
         Its work_opening is the energy that the edge needs per area.
     normal : Force or Depth
-        One dead load [N] or one depth [m], constant while shearing; of several contact radii the widest is meant.
+        One dead load [N] or one depth [m], constant during shearing. If several contact radii are possible, the
+        largest is used.
     lateral : Shift or ShearForce
         Relative displacement of the bodies far away [m], or force [N]; its value may be an array.
 
@@ -124,7 +125,7 @@ class AdhesiveShear(PerLoad[Q]):
             )
 
     def solve(self) -> AdhesiveShearSolution[Q]:
-        """Return contact radius, shift and shear force, and the maximum that can be borne.
+        """Return contact radius, tangential displacement and shear force, and the limit at which the contact separates.
 
         Raises
         ------
@@ -177,7 +178,7 @@ class AdhesiveShearSolution(PerLoad[Q]):
     shift, shear_force : float or ndarray
         u_x [m] and F_x [N], of the sign of the load.
     limit : ShearLimit
-        Where the contact loses its hold when it is sheared on.
+        Tangential displacement and shear force at which the contact separates.
     """
 
     problem: AdhesiveShear[Q]

@@ -90,7 +90,7 @@ def pyramid_layer_error(sides: int, radius: float, contrast: float, poisson: flo
     Parameters
     ----------
     sides : int
-        Number of faces; of more than four, in proportion to the error over thin layers.
+        Number of faces; for more than four faces, the error is scaled by that of thin layers.
     radius : float
         Radius of contact over the thickness of the layer [-].
     contrast : float

@@ -42,9 +42,9 @@ class ConductanceBounds:
     Parameters
     ----------
     bed : Bed
-        The smooth body that touches the rough one from within: Foundation or PlaneFoundation on a homogeneous medium.
+        The smooth body that touches the rough body from inside: Foundation or PlaneFoundation on a homogeneous medium.
     conductors : ElectricalConductors
-        What the bodies conduct; thick ones without platings or film.
+        Conductors of the bodies; both must be thick, without platings or film.
     roughness : float
         Height from the lowest valley to the highest peak, both surfaces together [m], not negative.
     force : float

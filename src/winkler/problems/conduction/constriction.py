@@ -38,7 +38,7 @@ class Constriction(PerLoad[Q]):
         The mechanical contact, on a Foundation, PlaneFoundation, EllipticFoundation, or MeasuredBed (a contact of any
         shape). For an array of loads the results have its shape.
     conductors : ElectricalConductors
-        What the bodies conduct, and the film between them.
+        Conductors of the bodies, and the film between them.
     mean_free_path : float, optional
         Mean free path of the electrons [m], not negative; a note states the resulting error of the resistance. Zero
         (the default) leaves the note out.
@@ -118,11 +118,11 @@ class ConstrictionSolution(ConductingSolution["ConstrictionSolution[float]", Q])
     resistance : float or ndarray
         R [ohm], all parts in series; infinite without contact.
     first_constriction, second_constriction : float or ndarray
-        What the constriction costs in either body [ohm].
+        Constriction resistance of each body [ohm].
     film_resistance : float or ndarray
         Area resistance of the film over the area of the contact [ohm].
     bulk_resistance : float
-        Of the lengths of rods [ohm]; zero without rods.
+        Resistance of the lengths of rods [ohm]; zero without rods.
     """
 
     problem: Constriction[Q]
@@ -138,11 +138,11 @@ class ConstrictionSolution(ConductingSolution["ConstrictionSolution[float]", Q])
 
     @property
     def constriction(self) -> Q:
-        """What the constriction costs in both bodies [ohm]."""
+        """Constriction resistance of both bodies [ohm]."""
         return shaped(np.asarray(self.first_constriction) + self.second_constriction)
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """How far the resistance can be trusted: the analogy, the bodies, the film, free flight of the electrons."""
+        """How far the resistance can be trusted: the analogy, the bodies, the film, mean free path of the electrons."""
         radius = np.asarray(self.radius, dtype=float)
         return (*self._disc_notes, *mean_free_path_note(radius, self.problem.mean_free_path))

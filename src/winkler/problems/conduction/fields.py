@@ -95,7 +95,7 @@ def restore_conduction(
         Distances from the axis [m], not negative.
     z : array_like, optional
         Depths [m], broadcast against r: positive in the first body, negative in the second; the surface of the first
-        unless given.
+        by default.
 
     Returns
     -------

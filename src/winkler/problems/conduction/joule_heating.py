@@ -49,13 +49,13 @@ class JouleHeating(PerLoad[Q]):
         The mechanical contact, on a Foundation, PlaneFoundation, EllipticFoundation, or MeasuredBed (a contact of any
         shape). For an array of loads the results have its shape.
     conductors : ElectricalConductors
-        What the bodies conduct, and the film between them.
+        Conductors of the bodies, and the film between them.
     drive : Current or Voltage
         Prescribed current or voltage; if several voltages give the same current, the lowest is returned.
     law : WiedemannFranz, optional
-        How heat and current conduction go together; with Sommerfeld's Lorenz number unless given.
+        Relation between thermal and electrical conductivity; by default with Sommerfeld's Lorenz number.
     temperature : float, optional
-        T_0 of both bodies far from the contact [K], positive; 293.15 K unless given.
+        T_0 of both bodies far from the contact [K], positive; 293.15 K by default.
 
     Raises
     ------
@@ -107,9 +107,9 @@ class JouleHeating(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            As for `winkler.problems.conduction.constriction.Constriction.solve`. If no voltage drives the current
-            through the contact as it heats up. If the resistivities of plating and substrate have different temperature
-            coefficients.
+            As for `winkler.problems.conduction.constriction.Constriction.solve`. If the contact cannot carry the
+            current at any voltage, because its resistance rises with temperature. If the resistivities of plating and
+            substrate have different temperature coefficients.
         InvalidInput
             If a current is sent through bodies that do not touch.
         """
@@ -231,7 +231,7 @@ class JouleHeatingSolution(ConductingSolution["JouleHeatingSolution[float]", Q])
     contact_temperature : float or ndarray
         T_c [K] of the contact; if its voltage varies, the temperature at the mean voltage of the current.
     middle_temperature, edge_temperature : float or ndarray
-        T_c [K] on the axis and at the edge of the spot, which differ between unlike platings.
+        T_c [K] on the axis and at the edge of the spot, which differ for different platings.
     max_temperature : float or ndarray
         T_max [K]; inside the body that resists more, if they differ.
     """
@@ -255,7 +255,7 @@ class JouleHeatingSolution(ConductingSolution["JouleHeatingSolution[float]", Q])
 
     @property
     def rise(self) -> Q:
-        """Supertemperature: by how much the hottest place is hotter than the bodies [K]."""
+        """Supertemperature: temperature rise of the hottest point above that of the bodies [K]."""
         return shaped(self.max_temperature - self.problem.temperature)
 
     @property

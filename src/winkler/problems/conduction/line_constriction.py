@@ -41,11 +41,12 @@ class LineConstriction(PerLoad[Q]):
     Parameters
     ----------
     contact : LineIndentation
-        How they are pressed together; of many loads, the results have their shape.
+        The mechanical contact. For an array of loads the results have its shape.
     conductors : ElectricalConductors
         Two bodies of ElectricalConductor, and the film between them.
     first_depth, second_depth : float
-        How deep below the middle of either surface the points lie between which the resistance is counted [m].
+        Depths [m] of the two reference points below the middle of each surface; the resistance is that between these
+        points.
 
     Raises
     ------
@@ -133,7 +134,7 @@ class LineConstrictionSolution(PerLoad[Q]):
     resistance_per_length : float or ndarray
         R' [ohm m], all parts in series: over the length of the contact it is the resistance; infinite without contact.
     first_constriction_per_length, second_constriction_per_length : float or ndarray
-        What the constriction costs in either body, up to its point [ohm m].
+        Constriction resistance of each body, up to its reference point [ohm m].
     film_resistance_per_length : float or ndarray
         Area resistance of the film over the width of the strip [ohm m].
     """

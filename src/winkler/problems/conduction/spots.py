@@ -44,7 +44,7 @@ class SpotCluster:
     Parameters
     ----------
     x, y : array_like, (n,)
-        Middles of the spots [m].
+        Centres of the spots [m].
     radii : array_like, (n,)
         [m], positive; the spots must not overlap.
     first, second : ElectricalConductor
@@ -110,7 +110,7 @@ class SpotCluster:
         return np.asarray(apart)
 
     def solve(self) -> SpotClusterSolution:
-        """Return the resistance and the share of every spot.
+        """Return the resistance and the fraction of the current through every spot.
 
         Returns
         -------
@@ -146,7 +146,7 @@ class SpotClusterSolution:
     greenwood : float
         Greenwood's estimate of it [ohm].
     alone : float
-        (rho_1 + rho_2) / (4 sum of radii) [ohm]: spots that are far from each other.
+        (rho_1 + rho_2) / (4 sum of radii) [ohm]: resistance of the same spots far from each other.
     shares : ndarray, (n,)
         Part of the current that goes through every spot [-].
     uncertainty : float
@@ -167,7 +167,7 @@ class SpotClusterSolution:
 
     @property
     def holm_radius(self) -> float:
-        """Radius [m] of the one disc with the same resistance as the spots' crowding; infinite for one spot."""
+        """Holm radius [m]: radius of the disc with the interaction resistance of the spots; infinite for one spot."""
         rho = resistivity_of(self.problem.first) + resistivity_of(self.problem.second)
         crowding = self.resistance - self.alone
         return rho / (4.0 * crowding) if self.problem.radii.size > 1 else math.inf

@@ -37,7 +37,7 @@ class ThermalConstriction(PerLoad[Q]):
         The mechanical contact, on a Foundation, PlaneFoundation, EllipticFoundation, or MeasuredBed (a contact of any
         shape). For an array of loads the results have its shape.
     conductors : HeatConductors
-        What the bodies conduct, and how well heat passes between the surfaces.
+        Thermal conductors of the bodies, and the resistance of their interface.
     temperature_drop : float
         Temperature of the first body far away less that of the second [K].
 
@@ -123,15 +123,15 @@ class ThermalConstrictionSolution(ConductingSolution["ThermalConstrictionSolutio
     resistance : float or ndarray
         Temperature drop over heat rate [K/W], all parts in series; infinite without contact.
     constriction : float or ndarray
-        What the constriction costs in both bodies [K/W].
+        Constriction resistance of both bodies [K/W].
     interface_resistance : float or ndarray
         1 / (h pi a^2) [K/W].
     bulk_resistance : float
-        Of the lengths of rods [K/W]; zero without rods.
+        Resistance of the lengths of rods [K/W]; zero without rods.
     heat_rate : float or ndarray
         Q [W], from the first body to the second.
     first_drop, second_drop : float or ndarray
-        By how much temperature falls within either body [K].
+        Temperature drop within each body [K].
     """
 
     __words__ = words(

@@ -85,27 +85,27 @@ class BimodalDamping(PerLoad[Q]):
         The foundation, on a homogeneous or power-law medium, bonded layers or a body graded in depth. Without slip, on
         any medium with known k_x.
     law : Coulomb
-        Friction. An infinite coefficient excludes slip (relaxation damping); zero is not supported.
+        Law of friction. An infinite coefficient excludes slip (relaxation damping); zero is not supported.
     depth : float
         Mean depth d_0 [m].
     depth_amplitude : float
-        A_z [m], zero or more; beyond the mean depth the bodies part in every cycle.
+        A_z [m], zero or more; beyond the mean depth the bodies separate in every cycle.
     shift_amplitude : float or ndarray
         A_x [m], zero or more.
     phase : float or ndarray
-        By which the shift is ahead of the depth [rad], in its own cycle.
+        Phase by which the tangential displacement is ahead of the depth [rad], within its own cycle.
     normal_cycles, lateral_cycles : int, optional
-        How often the contact is pressed and pushed in a closed cycle; without a common divisor.  A frequency ratio of
-        3/2 is three lateral cycles to two normal ones.
+        Numbers of normal and tangential oscillations in a closed cycle, without a common divisor.  A frequency ratio
+        of 3/2 is three lateral cycles to two normal ones.
     method : Method, optional
-        The method for slip: AUTO, EXACT (springs of equal gap together) or RINGS. By default springs if all have one
-        stiffness ratio, and rings otherwise.
+        Method for stick and slip: AUTO, EXACT (all springs of equal gap together) or RINGS (annular elements). By
+        default springs if all have one stiffness ratio, otherwise annular elements.
     frequency : float, optional
         Frequency of the closed cycle [Hz] for viscoelastic bodies; not allowed for elastic ones.
     count : int, optional
         Number of springs of viscoelastic bodies; the error falls with its square, without slip linearly.
     tolerance : float, optional
-        On viscoelastic bodies the error of a step, as of `Tangential`.
+        On viscoelastic bodies the error of a step, as in `Tangential`.
 
     Raises
     ------
@@ -177,11 +177,11 @@ class BimodalDamping(PerLoad[Q]):
 
     @property
     def relaxes(self) -> bool:
-        """Whether the bodies relax, so that the frequency counts."""
+        """Whether the bodies are viscoelastic, so that results depend on the frequency."""
         return relaxes(self.bed.medium)
 
     def solve(self) -> BimodalDampingSolution[Q]:
-        """Return the loss of every closed cycle, in the steady state.
+        """Return the dissipated energy of every closed cycle, in the steady state.
 
         Returns
         -------
@@ -246,9 +246,9 @@ class BimodalDamping(PerLoad[Q]):
         shift_amplitude : float
             [m].
         cycles : int, optional
-            How many closed cycles.
+            Number of closed cycles.
         count : int, optional
-            Points of each, evenly spaced, in addition to the reversals of depth and displacement.  The path between
+            Points per cycle, evenly spaced, in addition to the reversals of depth and displacement.  The path between
             points is straight, so dissipated energies have an error of second order in the point spacing.
         """
         n, m = self.normal_cycles, self.lateral_cycles
@@ -317,7 +317,7 @@ class BimodalDampingSolution(DampingSolution[Q]):
     problem : BimodalDamping
         The problem that was solved.
     pressing_loss : float
-        What of the loss the depth alone costs in viscoelastic bodies [J]; it is lost without a shift, too.
+        Part of the dissipated energy that is due to the normal motion alone in viscoelastic bodies [J].
     """
 
     __words__ = words(pressing_loss=("W_d", "J", "what of the loss of a cycle the depth alone costs"))
@@ -327,7 +327,7 @@ class BimodalDampingSolution(DampingSolution[Q]):
 
     @property
     def loss_stiffness(self) -> Q:
-        """Loss per lateral cycle over pi A_x^2 [N/m]; divided by the lateral angular frequency, the viscous damper.
+        """Dissipated energy per tangential cycle over pi A_x^2 [N/m]; over omega the equivalent viscous damper.
 
         The dissipation due to the normal motion alone is not included.
         """

@@ -67,20 +67,20 @@ class FrictionDamping(PerLoad[Q]):
     bed : Bed
         The springs: Foundation(profile, medium) or another bed.
     law : Coulomb
-        Friction; its coefficient positive and finite.
+        Friction; its coefficient must be positive and finite.
     normal : Depth or Force
         The steady normal load, one number.
     amplitude : Shift or ShearForce
         Amplitude to each side, half of the stroke. For an array the results have its shape.  Zero or more.
     method : Method, optional
-        How slip is followed.  By default rings on bonded layers and graded bodies if slip begins in the outer annulus,
-        and springs otherwise.
+        Method for stick and slip. By default annular elements (RINGS) on bonded layers and graded bodies if slip
+        begins at the edge, otherwise springs.
     frequency : float, optional
         Frequency of the oscillation [Hz] for viscoelastic bodies; not allowed for elastic ones.
     count : int, optional
         Number of springs of viscoelastic bodies; the error falls with its square, without slip linearly.
     tolerance : float, optional
-        On viscoelastic bodies the error of a step, as of `Tangential`.
+        On viscoelastic bodies the error of a step, as in `Tangential`.
 
     Raises
     ------
@@ -89,7 +89,7 @@ class FrictionDamping(PerLoad[Q]):
         negative.  If viscoelastic bodies have no frequency, are liquids at long times, have a dashpot in parallel, or
         have layers with separate relaxation functions. If elastic bodies have a frequency.
     OutsideValidity
-        If rings are requested on another medium, or for a contact that is not a disc.
+        If RINGS are requested on another medium, or for a contact that is not a disc.
 
     References
     ----------
@@ -139,11 +139,11 @@ class FrictionDamping(PerLoad[Q]):
 
     @property
     def relaxes(self) -> bool:
-        """Whether the bodies relax, so that the frequency counts."""
+        """Whether the bodies are viscoelastic, so that results depend on the frequency."""
         return relaxes(self.bed.medium)
 
     def solve(self) -> FrictionDampingSolution[Q]:
-        """Return the loss per cycle with the stiffness and the loss factor that belong to it.
+        """Return dissipated energy per cycle, stiffness and loss factor.
 
         Returns
         -------
@@ -152,9 +152,9 @@ class FrictionDamping(PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If a shear force exceeds the coefficient times the normal force: the bodies would slide away.  If the bodies
-            do not touch.  If the method is exact, and the springs have different stiffness ratios. If the method is
-            rings, and no annulus slips before full sliding.
+            If a shear force exceeds the friction limit (coefficient times normal force).  If the bodies do not touch.
+            If the method is exact, and the springs have different stiffness ratios. If the method is RINGS, and no
+            annulus slips before full sliding.
         NotConverged
             If the profile is too rough, or cycles of viscoelastic bodies do not repeat.
         """
@@ -297,7 +297,7 @@ class FrictionDampingSolution(DampingSolution[Q]):
 
     @property
     def secant_stiffness(self) -> Q:
-        """Amplitude of the force over that of the shift [N/m]; at no amplitude the stiffness without slip."""
+        """Amplitude of the shear force over that of the displacement [N/m]; at zero amplitude that without slip."""
         moving = np.asarray(self.shift) > 0.0
         stuck = 0.0
         if not np.all(moving):
@@ -312,7 +312,7 @@ class FrictionDampingSolution(DampingSolution[Q]):
     def loss_stiffness(self) -> Q:
         """W / (pi U^2) [N/m], the imaginary part of the equivalent linear spring.
 
-        Divided by the angular frequency it is the viscous damper.
+        Divided by the angular frequency it is the constant of the equivalent viscous damper.
         """
         return per_unit(self.loss_per_cycle, np.pi * np.asarray(self.shift) ** 2)
 
@@ -320,8 +320,8 @@ class FrictionDampingSolution(DampingSolution[Q]):
     def loss_factor(self) -> Q:
         """W / (pi F_x U) [-]: the loss per radian over the maximum energy of a spring with the secant stiffness.
 
-        Zero at no amplitude, 4/pi for sliding throughout; twice the damping ratio.  Of viscoelastic bodies, without
-        slip, the sine of the loss angle.
+        It is zero at zero amplitude, 4/pi for full sliding, and equals twice the damping ratio.  For viscoelastic
+        bodies without slip it is the sine of the loss angle.
         """
         return loss_factor(self.loss_per_cycle, self.shift, self.shear_force)
 

@@ -56,9 +56,9 @@ class RelaxationDamper:
     depth : float
         Mean depth d_0 [m].
     depth_amplitude : float
-        A_z [m], positive; beyond the mean depth the bodies part in every cycle.
+        A_z [m], positive; beyond the mean depth the bodies separate in every cycle.
     frequency : float
-        Of the depth [Hz].
+        Frequency of the depth [Hz].
 
     Raises
     ------
@@ -91,7 +91,7 @@ class RelaxationDamper:
     needs_round: ClassVar[str] = ""
 
     def solve(self) -> RelaxationDamperSolution:
-        """Return the damper, and the spring in parallel with it.
+        """Return the constants of the equivalent damper and of the spring in parallel with it.
 
         Returns
         -------
@@ -141,7 +141,7 @@ class RelaxationDamperSolution:
     damping : float
         Mean shear force over speed [N s/m].
     shear_stiffness : float
-        Of the springs that never part [N/m].
+        Tangential stiffness of the springs that never separate [N/m].
     """
 
     problem: RelaxationDamper

@@ -1,10 +1,10 @@
 r"""The springs of a sheared contact as a stack of straight pieces over their gap, and what a step does to them.
 
 The springs of a rising profile can be numbered by :math:`\gamma=g(x)`, from 0 on the axis to the depth d at the edge.
-On a straight step in depth and shift a spring that sticks is displaced by the shift, one that slides stays on its bound
-:math:`\beta(d-\gamma)`, and one that comes into contact begins within the step.  All of that is linear in
-:math:`\gamma`, so the displacement of the springs stays a chain of straight pieces for ever, one for each turning point
-that is not yet forgotten: no grid, and no error but rounding.
+On a straight step in depth and shift a spring that sticks is displaced by the shift, one that slides stays on its
+bound :math:`\beta(d-\gamma)`, and one that comes into contact begins within the step.  All of that is linear in
+:math:`\gamma`, so the displacement of the springs stays a chain of straight pieces without end, one for each turning
+point that is not yet forgotten: no grid, and no error but rounding.
 
 Slip begins at the edge: in a row of pieces the inner ones stick while the outer ones slide.  So pieces are stacked from
 the axis outwards, and a step replaces those at the edge alone.  What sticks is dragged as a whole: it is the same stack

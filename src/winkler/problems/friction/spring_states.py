@@ -137,7 +137,7 @@ def spring_notes(springs: Springs, law: SpringLaw, *, in_plane: bool) -> tuple[N
     springs : Springs
         The row.
     law : Coulomb, StaticKinetic or OwnLaw
-        Friction.
+        Law of friction.
     in_plane : bool
         Whether the bodies move in more than one direction.
     """

@@ -69,13 +69,13 @@ class Tangential:
     bed : Bed
         The springs: Foundation(profile, medium).
     law : Coulomb, StaticKinetic or OwnLaw
-        How the surfaces rub; a law of one's own has a method ``shear_bound(line_load)``.
+        How the surfaces rub; a user-defined law has a method ``shear_bound(line_load)``.
     path : Path
         Depth or normal force, and shift or shear force, over time.
     method : Method, optional
-        How slip is followed.  By default rings on bonded layers and graded bodies, and springs of equal gap together on
-        homogeneous and power-law media. Single springs are followed in planar motion, under other laws than Coulomb's,
-        and on viscoelastic bodies.
+        Method for stick and slip. The default on bonded layers and graded bodies is annular elements (RINGS). The
+        default on homogeneous and power-law media is EXACT: all springs of equal gap together. Single springs
+        (SPRINGS) are used for planar motion, for other laws than Coulomb's, and for viscoelastic bodies.
     count : int, optional
         Number of springs, if single springs are followed. The error is of second order; on viscoelastic bodies of first
         order if the load does not vanish at the edge.
@@ -91,7 +91,7 @@ class Tangential:
         this law nor planar paths.  If bodies relax by more than one function of time, their law is not Coulomb's, or
         their path leaves its line.
     OutsideValidity
-        If rings are requested on another medium, or for a contact that is not a disc.
+        If RINGS are requested on another medium, or for a contact that is not a disc.
 
     References
     ----------
@@ -155,7 +155,7 @@ class Tangential:
 
     @property
     def relaxes(self) -> bool:
-        """Whether the bodies relax, so that each spring remembers its loads over time."""
+        """Whether the bodies are viscoelastic, so that each spring depends on its load history."""
         return relaxes(self.bed.medium)
 
     @property
@@ -165,7 +165,7 @@ class Tangential:
 
     @property
     def by_rings(self) -> bool:
-        """Whether rings are used: for layers and graded bodies, unless another method is given."""
+        """Whether annular elements are used: for layers and graded bodies, unless another method is given."""
         if self.method is Method.AUTO:
             return self._coulomb_line and not self.relaxes and layers_of_rings(self.bed) is not None
         return self.method is Method.RINGS
@@ -178,7 +178,7 @@ class Tangential:
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: one for every point of the path."""
+        """Number of states that `steps` yields: one for every point of the path."""
         return self.path.time.size
 
     def steps(self) -> Iterator[State]:
@@ -188,10 +188,10 @@ class Tangential:
         ------
         OutsideValidity
             If a prescribed shear force exceeds the friction limit. The error is raised at that step, after all earlier
-            states. If springs of equal gap are to be followed together, but have different stiffness ratios. If a
-            contact on layers is too wide compared with the uppermost layer.
+            states. If the method is EXACT, but the springs have different stiffness ratios. If a contact on layers is
+            too wide compared with the uppermost layer.
         NotConverged
-            If a step that is curved by prescribed forces is too long to be followed; give more points.
+            If a step under prescribed forces is too long for the iteration; give more points.
         """
         if self.relaxes:
             assert isinstance(self.law, Coulomb)
@@ -231,7 +231,7 @@ class Tangential:
             yield TangentialState(*normal, *along, self.bed, self.law, ratio, memory)
 
     def gathered(self, states: Iterable[State]) -> TangentialSolution:
-        """Return the solution made of these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its first part."""
         reached = list(states)
         return gather(TangentialSolution, self, reached, stick_radius=stick_radii(self.bed, reached))
 
@@ -264,9 +264,9 @@ class TangentialSolution(RoundSlip[Array], Looped, Relaxed, OfPath[State]):
     problem : Tangential
         The problem that was solved.
     stick_radius : ndarray, (steps,)
-        c [m]: springs within stick; a where all do, zero where the bodies slide or are apart.
+        Radius c of the stick zone [m]: a if all springs stick, zero if the bodies slide or do not touch.
     states : sequence
-        The states themselves, from which fields are restored.
+        The states, from which surface and subsurface fields are computed.
     """
 
     problem: Tangential
@@ -280,7 +280,7 @@ class TangentialSolution(RoundSlip[Array], Looped, Relaxed, OfPath[State]):
         Raises
         ------
         OutsideValidity
-            If springs were used, not rings.
+            If springs were used instead of annular elements.
         """
         return self._known("nested")
 

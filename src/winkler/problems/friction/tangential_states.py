@@ -48,7 +48,7 @@ class TangentialState(RoundSlip[float]):
     bed : Bed
         The springs.
     law : Coulomb
-        Friction.
+        Law of friction.
     mindlin_ratio : float
         c_T/c_N [-], the same for all springs.
     memory : SlipMemory

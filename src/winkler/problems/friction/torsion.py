@@ -50,7 +50,7 @@ TwistState = TorsionState | DraggedTwist
 
 @value
 class Torsion:
-    """Two bodies pressed together and twisted against each other.
+    """Two bodies pressed together and twisted against each other about the contact axis.
 
     Parameters
     ----------
@@ -58,11 +58,11 @@ class Torsion:
         Foundation(profile, medium) or PlaneFoundation(plane_profile, medium), elastic or with one common relaxation
         function. The medium is a homogeneous half-space, layers (bonded or sliding), or a body graded in depth.
     law : Coulomb
-        Friction.
+        Law of friction.
     path : Path
         Its normal load a Depth or Force, its lateral load an Angle or Torque.
     count : int, optional
-        How many springs, where bodies relax; the error falls with its square.
+        Number of springs, where bodies relax; the error falls with its square.
     tolerance : float, optional
         Error of a step on viscoelastic bodies: of the torque over the friction limit, of the frictional loss over this
         torque times the maximum angle, and of depth and angle under forces over their maximum.
@@ -70,9 +70,9 @@ class Torsion:
     Raises
     ------
     InvalidInput
-        If the law is not Coulomb's, the path prescribes a shift, or layers relax each by a law of its own.
+        If the law is not Coulomb's, the path prescribes a shift, or layers have separate relaxation functions.
     OutsideValidity
-        If the medium is measured: there the bound of the springs is not known.
+        If the foundation is a `MeasuredBed`, for which the friction limit of the springs is not known.
 
     References
     ----------
@@ -126,12 +126,12 @@ class Torsion:
 
     @property
     def relaxes(self) -> bool:
-        """Whether the bodies relax, so that each spring remembers its loads over time."""
+        """Whether the bodies are viscoelastic, so that each spring depends on its load history."""
         return relaxes(self.bed.medium)
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: one for every point of the path."""
+        """Number of states that `steps` yields: one for every point of the path."""
         return self.path.time.size
 
     def steps(self) -> Iterator[TwistState]:
@@ -154,7 +154,7 @@ class Torsion:
             yield TorsionState(*normal, at.motion, at.load, limit, at.stick_radius, *energies, at.nested, springs)
 
     def gathered(self, states: Iterable[TwistState]) -> TorsionSolution:
-        """Return the solution made of these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its first part."""
         return gather(TorsionSolution, self, states)
 
     def solve(self) -> TorsionSolution:
@@ -183,7 +183,7 @@ class TorsionSolution(RoundTwist[Array], Looped, Relaxed, OfPath[TwistState]):
     nested : ndarray of bool, (steps,)
         Whether the slip zone of the step was one outer annulus with one slip direction; then the step is exact.
     states : tuple of TorsionState or DraggedTwist
-        One by one, with the springs from which fields are restored.
+        The states one by one, with the springs from which fields are computed.
     """
 
     __words__ = words(secant_stiffness=("k_s", "N m/rad", "amplitude of the torque over that of the angle"))

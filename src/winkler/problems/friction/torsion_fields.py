@@ -27,7 +27,7 @@ class TwistedFields:
     hoop_displacement : ndarray
         u_theta [m], of both surfaces together.
     slip : ndarray
-        phi r - u_theta [m]: how far the surfaces stand displaced against each other.  Where they have touched all the
+        phi r - u_theta [m]: the relative tangential displacement of the surfaces.  Where they have touched all the
         time, how far they have slipped.
     """
 

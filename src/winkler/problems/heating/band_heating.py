@@ -38,16 +38,17 @@ class BandHeating(StripHeating[Q]):
     half_width : float or ndarray
         Half-width a of the band [m].
     heat_flux : float or ndarray
-        What enters per area and time, into both bodies together [W/m^2].
+        Heat per area and time that enters both bodies together [W/m^2].
     conductors : HeatConductors
-        How the bodies conduct heat: two thick bodies of ThermalConductor, or Plated made of it, a perfect touch
-        between them.
+        Thermal conductors of the bodies: two thick bodies of ThermalConductor, or Plated made of it, in perfect
+        thermal contact.
     first_speed, second_speed : float or ndarray
         Velocities [m/s] along x at which the surface of either body moves past the band, not zero.  Zero is allowed for
         a body that receives no heat, FixedShare(1.0) or FixedShare(0.0).  Arrays broadcast with each other, with the
         half-width and with the flux.
     partition : EqualMaximum, EqualMean or FixedShare, optional
-        How the bodies share the heat; Blok's rule, EqualMaximum(), unless given.  One body alone has FixedShare(1.0).
+        Rule for the heat partition; by default Blok's rule, EqualMaximum().  For a single heated body give
+        FixedShare(1.0).
 
     Raises
     ------
@@ -90,7 +91,7 @@ class BandHeating(StripHeating[Q]):
         self._check_speeds(half_width=self.half_width, heat_flux=self.heat_flux)
 
     def solve(self) -> BandHeatingSolution[Q]:
-        """Return how warm the bodies get.
+        """Return the temperatures of the bodies.
 
         Returns
         -------
@@ -110,7 +111,7 @@ class BandHeating(StripHeating[Q]):
 class BandHeatingSolution(StripTemperatures[Q]):
     """The solution of a `BandHeating`; each quantity has the common shape of half-width, flux and speeds.
 
-    Temperatures are rises above that of the bodies far away.
+    Temperatures are rises above the temperature of the bodies far away.
 
     Parameters
     ----------
@@ -123,7 +124,7 @@ class BandHeatingSolution(StripTemperatures[Q]):
     first_share : float or ndarray
         Part of it that goes into the first body [-].
     first_peclet, second_peclet : float or ndarray
-        Pe = V a / (2 kappa) of either body [-]; of a plated one with the least diffusivity.
+        Pe = V a / (2 kappa) of each body [-]; for a plated body with the smallest diffusivity.
     first_max_temperature, second_max_temperature : float or ndarray
         Maximum temperature of either surface [K].
     first_mean_temperature, second_mean_temperature : float or ndarray

@@ -60,12 +60,12 @@ class FrettingHeat(RubbingBodies):
     Parameters
     ----------
     contact : Tangential
-        How it is pushed; its path ends with a closed cycle, which is then repeated for ever.  Two cycles of an
-        oscillation, `Path.oscillation(cycles=2, ...)`, are enough: the first one differs.
+        The mechanical contact. Its path must end with a closed cycle, which is then repeated without end.  Two cycles
+        of an oscillation, `Path.oscillation(cycles=2, ...)`, are enough: the first one differs.
     frequency : float
-        How often the cycle is repeated [Hz]; the times of the path do not matter.
+        Frequency of the cycle [Hz]; the times of the path are not used.
     conductors : HeatConductors
-        How the bodies conduct heat: two thick bodies of ThermalConductor, a perfect touch between them.
+        Thermal conductors of the bodies: two thick bodies of ThermalConductor, in perfect thermal contact.
 
     Raises
     ------
@@ -94,7 +94,7 @@ class FrettingHeat(RubbingBodies):
     (1.0, True)
     """
 
-    __words__ = words(contact=("", None, "contact that is pushed to and fro"))
+    __words__ = words(contact=("", None, "contact under oscillating tangential displacement"))
 
     contact: Tangential
     frequency: Positive
@@ -213,9 +213,9 @@ class FrettingHeatSolution:
     march : TangentialSolution
         The motion.
     loss_per_cycle : float
-        Energy lost in every cycle [J].
+        Dissipated energy per cycle [J].
     misfit : float
-        Part of it by which the sum over the surface missed it, before it was scaled [-].
+        Relative difference between the heat summed over the surface and the dissipated energy, before scaling [-].
     flux : RoundFlux
         Mean heat per area and time, at any distance from the axis: ``flux.at(r)`` [W/m^2].
     source : LineSource
@@ -260,7 +260,7 @@ class FrettingHeatSolution:
 
     @property
     def swing(self) -> float:
-        """Estimate of how far the temperature swings about its mean, where that is most [K]."""
+        """Estimate of the maximum temperature amplitude about the mean [K]."""
         effusivity = sum(body.conductivity / math.sqrt(body.diffusivity) for body in self.problem._bodies)
         most = float(np.max(self.flux.at(np.linspace(0.0, self.source.radius, SAMPLES))))
         plane = most / (effusivity * math.sqrt(4.0 * math.pi * self.problem.frequency))
@@ -305,8 +305,8 @@ class FrettingHeatSolution:
                 Assumption.CONDUCTION,
                 Standing.APPROXIMATE,
                 f"The oscillation about the mean, about {self.swing:.3g} K, is an estimate for a heat flux that "
-                "varies as 1 + cos. The estimate is the smaller of two values: the mean temperature and the "
-                f"oscillation of a plane. The thermal penetration depth per cycle is {reach:.2g} m.",
+                "varies as 1 + cos. The estimate is the smaller of two values: the mean temperature, and the "
+                f"amplitude of a plane that is heated uniformly. The thermal penetration depth per cycle is {reach:.2g} m.",
                 "one-dimensional diffusion; H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, Oxford 1959",
             ),
             temperature_note(float(self.max_temperature) + float(self.swing)),

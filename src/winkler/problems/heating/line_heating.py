@@ -40,18 +40,18 @@ class LineFrictionHeating(StripHeating[Q]):
     Parameters
     ----------
     contact : LineIndentation
-        How they are pressed together; of many loads, the results have their shape.
+        The mechanical contact. For an array of loads the results have its shape.
     law : Coulomb
         Friction, with a finite coefficient.
     conductors : HeatConductors
-        How the bodies conduct heat: two thick bodies of ThermalConductor, or Plated made
-        of it, a perfect touch between them.
+        Thermal conductors of the bodies: two thick bodies of ThermalConductor, or Plated made of it, in perfect
+        thermal contact.
     first_speed, second_speed : float or ndarray
         Velocities [m/s] along x at which each surface passes the contact, not zero; the sliding velocity is their
         difference.  Zero is allowed for a body that receives no heat, FixedShare(1.0) or FixedShare(0.0).  Arrays
         broadcast with each other and with the load.
     partition : EqualMaximum, EqualMean or FixedShare, optional
-        How the bodies share the heat; Blok's rule, EqualMaximum(), unless given.
+        Rule for the heat partition; by default Blok's rule, EqualMaximum().
 
     Raises
     ------
@@ -103,7 +103,7 @@ class LineFrictionHeating(StripHeating[Q]):
         self._check_speeds(load=dataclasses.astuple(self.contact.load)[0])
 
     def solve(self) -> LineFrictionHeatingSolution[Q]:
-        """Return how warm the bodies get.
+        """Return the temperatures of the bodies.
 
         Returns
         -------
@@ -125,7 +125,7 @@ class LineFrictionHeating(StripHeating[Q]):
 class LineFrictionHeatingSolution(StripTemperatures[Q]):
     """The solution of a `LineFrictionHeating`; each quantity has the common shape of load and speeds.
 
-    Temperatures are rises above that of the bodies far away.
+    Temperatures are rises above the temperature of the bodies far away.
 
     Parameters
     ----------
@@ -136,10 +136,10 @@ class LineFrictionHeatingSolution(StripTemperatures[Q]):
     heat_per_length : float or ndarray
         Q = mu P v, the heat of friction per time and length [W/m].
     first_share : float or ndarray
-        Heat partition: part of the heat that enters the first body [-]. Without contact it is the fixed one, or that of
-        bodies at rest (ratio of conductivities).
+        Heat partition: part of the heat that enters the first body [-]. Without contact it is the prescribed
+        partition, or that of bodies at rest (ratio of conductivities).
     first_peclet, second_peclet : float or ndarray
-        Pe = V a / (2 kappa) of either body [-]; of a plated one with the least diffusivity.
+        Pe = V a / (2 kappa) of each body [-]; for a plated body with the smallest diffusivity.
     first_max_temperature, second_max_temperature : float or ndarray
         Maximum temperature of either surface [K].
     first_mean_temperature, second_mean_temperature : float or ndarray

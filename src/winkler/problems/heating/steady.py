@@ -57,16 +57,16 @@ class FrictionHeating(RubbingPlatedBodies, PerLoad[Q]):
     law : Coulomb
         Friction, with a finite coefficient.
     conductors : HeatConductors
-        How the bodies conduct heat: two thick bodies of ThermalConductor, or Plated made of it, a perfect touch between
-        them.  Elastic layers have the conductivity of the material below.
+        Thermal conductors of the bodies: two thick bodies of ThermalConductor, or Plated made of it, in perfect
+        thermal contact.  Elastic layers have the conductivity of the material below.
     first_speed, second_speed : float or ndarray, optional
         Speeds [m/s] at which the surface of either body moves past the contact.  A pin of the second body on a plate
         has `second_speed` 0, the default.  Arrays broadcast with each other and with the load.
     first_direction, second_direction : float, optional
-        Angles of the velocities to x [rad], at most one turn; 0, along x, unless given.  The bodies slide with the
+        Angles of the velocities to x [rad], at most one turn; 0, along x, by default.  The bodies slide with the
         difference of the velocities.
     partition : EqualMaximum, EqualMean or FixedShare, optional
-        How the bodies share the heat; Blok's rule, EqualMaximum(), unless given.
+        Rule for the heat partition; by default Blok's rule, EqualMaximum().
 
     Raises
     ------
@@ -159,7 +159,7 @@ class FrictionHeating(RubbingPlatedBodies, PerLoad[Q]):
         return SharedHeat(sources, loads, self._bodies, self.partition, rates, self._directions)
 
     def solve(self) -> FrictionHeatingSolution[Q]:
-        """Return how warm the bodies get.
+        """Return the temperatures of the bodies.
 
         Returns
         -------
@@ -190,7 +190,7 @@ class FrictionHeating(RubbingPlatedBodies, PerLoad[Q]):
 class FrictionHeatingSolution(PerLoad[Q]):
     """The solution of a `FrictionHeating`; every quantity has the common shape of load and speeds.
 
-    Temperatures are rises above that of the bodies far away.
+    Temperatures are rises above the temperature of the bodies far away.
 
     Parameters
     ----------
@@ -201,8 +201,8 @@ class FrictionHeatingSolution(PerLoad[Q]):
     heat_rate : float or ndarray
         Q = mu F v, the heat of friction per time [W].
     first_share : float or ndarray
-        Heat partition: part of the heat that enters the first body [-]. Without contact it is the fixed one, or that of
-        bodies at rest (ratio of conductivities).
+        Heat partition: part of the heat that enters the first body [-]. Without contact it is the prescribed
+        partition, or that of bodies at rest (ratio of conductivities).
     first_peclet, second_peclet : float or ndarray
         Pe = V l / (2 kappa) of each body, where l is half the contact length along its motion [-]; for a plated body
         with the smallest diffusivity.
@@ -244,15 +244,15 @@ class FrictionHeatingSolution(PerLoad[Q]):
 
     @property
     def stationary_temperature(self) -> Q:
-        """What the rule of slow sliding gives for the flash temperature [K]: both bodies as if at rest.
+        """Flash temperature by the rule for slow sliding [K], which treats both bodies as at rest.
 
-        mu v E* d / (2 (lambda_1 + lambda_2)) in homogeneous media, if the maximum displacement is d.
+        In homogeneous media it is mu v E* d / (2 (lambda_1 + lambda_2)), with the maximum displacement d.
         """
         return self._estimate(stationary)
 
     @property
     def fast_temperature(self) -> Q:
-        """What the flash temperature tends to when all that moves does so fast [K]; a body at rest stays at rest.
+        """Limit of the flash temperature for high speed of the moving bodies [K]; a body at rest stays at rest.
 
         Infinite under a rigid punch with a sharp edge.
         """
@@ -260,7 +260,7 @@ class FrictionHeatingSolution(PerLoad[Q]):
 
     @property
     def tian_kennedy_temperature(self) -> Q:
-        """What the fit of Tian and Kennedy gives for a parabolic flux on the same disc [K]; platings are neglected.
+        """Temperature by the fit of Tian and Kennedy for a parabolic flux on the same disc [K], without platings.
 
         Raises
         ------
@@ -279,7 +279,7 @@ class FrictionHeatingSolution(PerLoad[Q]):
 
     @property
     def overestimate(self) -> Q:
-        """By how much the rule of slow sliding exceeds the flash temperature, relative to that [-]."""
+        """Relative error of the rule for slow sliding [-]: its excess over the flash temperature."""
         flash = np.asarray(self.flash_temperature)
         warm = flash > 0.0
         return shaped(np.where(warm, self.stationary_temperature / np.where(warm, flash, 1.0) - 1.0, 0.0))

@@ -44,7 +44,7 @@ __all__ = ["TransientHeating", "TransientHeatingSolution"]
 
 @value
 class TransientHeating(RubbingBodies):
-    """Heating of two bodies from the moment at which they begin to slide slowly.
+    """Frictional heating of two bodies after they begin to slide slowly.
 
     Parameters
     ----------
@@ -54,13 +54,13 @@ class TransientHeating(RubbingBodies):
     law : Coulomb
         Friction, with a finite coefficient.
     conductors : HeatConductors
-        How the bodies conduct heat: two thick bodies of ThermalConductor, a perfect touch between them.
+        Thermal conductors of the bodies: two thick bodies of ThermalConductor, in perfect thermal contact.
     speed : float
         Speed of sliding [m/s], not negative.
     time : ndarray, (steps,)
         Since the sliding began [s], positive.
     partition : EqualMaximum, EqualMean or FixedShare, optional
-        How the bodies share the heat, at every time anew; EqualMaximum() unless given.
+        Rule for the heat partition, applied at every time; EqualMaximum() by default.
 
     Raises
     ------
@@ -167,7 +167,7 @@ def _source(contact: HeatedContact) -> LineSource | EllipticSource | None:
 
 @value
 class TransientHeatingSolution:
-    """The solution of a `TransientHeating`; temperatures are rises above that of the bodies far away.
+    """The solution of a `TransientHeating`; temperatures are rises above that far away.
 
     Parameters
     ----------
@@ -204,7 +204,7 @@ class TransientHeatingSolution:
 
     @property
     def stationary_temperature(self) -> float:
-        """What the flash temperature tends to in the end [K]."""
+        """Limit of the flash temperature at long times [K]."""
         source = _source(self.contact)
         if self.heat_rate == 0.0 or source is None:
             return 0.0

@@ -68,11 +68,11 @@ class AdhesiveImpact:
     law : ShortRange
         ShortRange(work), or with hysteresis ShortRange(work_closing=..., work_opening=...).
     mass : float
-        m [kg] of the body; of two free bodies, m1 m2 / (m1 + m2).
+        m [kg] of the body; for two free bodies m1 m2 / (m1 + m2).
     velocity : float
         v [m/s] of approach at first touch, positive.
     count : int, optional
-        At how many moments states are returned; the moment of maximum depth is added.
+        Number of times at which states are returned; the time of maximum depth is added.
 
     Raises
     ------
@@ -112,7 +112,7 @@ class AdhesiveImpact:
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: `count`, and that at the maximum depth if it is none of them."""
+        """Number of states that `steps` yields: `count`, plus one if the state of maximum depth is not among them."""
         return self.count + 1
 
     def steps(self) -> Iterator[AdhesiveImpactState]:
@@ -149,7 +149,7 @@ class AdhesiveImpact:
             )
 
     def gathered(self, states: Iterable[AdhesiveImpactState]) -> AdhesiveImpactSolution:
-        """Return the solution made of these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its first part."""
         every = list(states)
         return gather(
             AdhesiveImpactSolution,
@@ -188,12 +188,12 @@ class AdhesiveImpactSolution(AdhesiveImpactHistory[Array]):
     problem : AdhesiveImpact
         The problem that was solved.
     jumps : tuple of AdhesiveJump
-        Snap-in, pull-off and all between.
+        All jumps: snap-in, pull-off and those between.
     duration : float
-        How long the bodies touch, or until they stand still during the rebound [s], also of a solution that was stopped
+        Contact time, or until they stand still during the rebound [s], also of a solution that was stopped
         before.
     captured : bool
-        Whether the body stays: it then swings on in contact.
+        Whether the body stays in contact and oscillates there.
     """
 
     problem: AdhesiveImpact
@@ -208,7 +208,7 @@ class AdhesiveImpactSolution(AdhesiveImpactHistory[Array]):
 
     @property
     def balance(self) -> Array:
-        """Kinetic, elastic and lost energy together over what there was at first touch, ``(steps,)``; should be one."""
+        """Sum of kinetic, elastic and dissipated energy over the energy at first touch, ``(steps,)``; should be one."""
         total = self.kinetic_energy + self.energy + self.dissipation
         return np.asarray(total / (0.5 * self.problem.mass * self.problem.velocity**2))
 

@@ -60,7 +60,7 @@ class Impact:
     law : Coulomb
         Coulomb(coefficient); infinite if slip is excluded, zero without friction.
     mass : float
-        m [kg] of the body; of two free bodies, m1 m2 / (m1 + m2).
+        m [kg] of the body; for two free bodies m1 m2 / (m1 + m2).
     velocity : float
         v [m/s] of approach at first touch, positive.
     lateral_velocity : float, optional
@@ -71,9 +71,9 @@ class Impact:
     inertia : float, optional
         I [kg m^2] about that axis through the centre of mass; infinite if the body does not turn.  It needs a lever.
     lever : float, optional
-        From the centre of mass to the surface [m]: the radius of a ball.
+        Distance from the centre of mass to the surface [m]: for a ball its radius.
     count : int, optional
-        At how many moments states are returned; the motion does not depend on them.
+        Number of moments at which states are returned; the motion does not depend on them.
 
     Raises
     ------
@@ -126,12 +126,12 @@ class Impact:
 
     @property
     def sliding_velocity(self) -> float:
-        """Of the touching points along the surface at first touch, v_x - lever omega [m/s]."""
+        """Relative tangential velocity of the contact points at first touch, v_x - lever omega [m/s]."""
         return self.lateral_velocity - self.lever * self.angular_velocity
 
     @property
     def mobility(self) -> float:
-        """What a shear impulse changes the velocity of the touching points by, 1/m + lever^2 / I [1/kg]."""
+        """Change of the tangential velocity of the contact points per tangential impulse, 1/m + lever^2 / I [1/kg]."""
         return 1.0 / self.mass + self.lever**2 / self.inertia
 
     @property
@@ -140,7 +140,7 @@ class Impact:
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields."""
+        """Number of states that `steps` yields."""
         return self.count
 
     def steps(self) -> Iterator[ImpactState]:
@@ -167,7 +167,7 @@ class Impact:
             yield from ring_states(self.bed, motion, table, self.count)
 
     def gathered(self, states: Iterable[ImpactState]) -> ImpactSolution:
-        """Return the solution made of these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its first part."""
         every = list(states)
         stages = joined_stages([stage for state in every for stage in state.stages], every[-1].time)
         return gather(ImpactSolution, self, every, duration=every[-1].duration, stages=stages)
@@ -198,7 +198,7 @@ class ImpactSolution(ImpactHistory[Array]):
     stages : tuple of ImpactStage
         The phases of the impact: full stick, or slip of the contact edge in one direction.
     duration : float
-        How long the bodies touch [s], also of a solution that was stopped before.
+        Contact time [s], also of a solution that was stopped before.
     """
 
     problem: Impact
@@ -225,14 +225,14 @@ class ImpactSolution(ImpactHistory[Array]):
     def kinetic_energy(self) -> Array:
         """Kinetic energy available to the contact, m v^2/2 + w^2/(2 kappa) [J], ``(steps,)``.
 
-        The rest belongs to the motion that rolls on: no force at the contact changes it.
+        The rest of the energy belongs to the rolling motion, which contact forces do not change.
         """
         problem = self.problem
         return np.asarray(0.5 * problem.mass * self.velocity**2 + 0.5 * self.sliding_velocity**2 / problem.mobility)
 
     @property
     def balance(self) -> Array:
-        """Kinetic, elastic and lost energy together over what there was at first touch, ``(steps,)``; should be one."""
+        """Sum of kinetic, elastic and dissipated energy over the energy at first touch, ``(steps,)``; should be one."""
         total = self.kinetic_energy + self.energy + self.stored_energy + self.dissipation
         return np.asarray(total / total[0])
 
@@ -243,7 +243,7 @@ class ImpactSolution(ImpactHistory[Array]):
 
     @property
     def lateral_restitution(self) -> float:
-        """The same of the touching points along the surface [-]: -1 without friction, at most 1; nan if they rest."""
+        """The same ratio for tangential velocities [-]: -1 without friction, at most 1; nan if they are zero."""
         before = self.problem.sliding_velocity
         return -float(self.sliding_velocity[-1]) / before if before and self.time[-1] == self.duration else math.nan
 

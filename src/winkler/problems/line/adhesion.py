@@ -54,7 +54,7 @@ class LineAdhesion(PerLoad[Q]):
     bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
         Profile and bodies, homogeneous or layered.
     law : ShortRange or Dugdale
-        How the surfaces attract each other; with hysteresis, the work of opening counts.
+        Law of attraction between the surfaces; with hysteresis, the work of opening is used.
     load : LineForce or HalfWidth
         A force per length is a dead load; the value may be an array, the results then have its shape.
 
@@ -95,7 +95,7 @@ class LineAdhesion(PerLoad[Q]):
     def solve(self) -> LineAdhesionSolution[Q]:
         """Return force per length, half-width, and whether the state is stable under a dead load.
 
-        Where several half-widths are stable, the widest is meant: the one that is left after pressing firmly.
+        If several half-widths are stable, the largest is returned; it remains after strong pressing.
 
         Raises
         ------
@@ -141,11 +141,11 @@ class LineAdhesionSolution(OfStrip, OfWidth[Q]):
     half_width : float or ndarray
         a [m].
     stable : bool or ndarray
-        Whether the state stays under a dead load.
+        Whether the state is stable under a dead load.
     """
 
     __words__ = words(
-        edge_load=("Q", "N/m", "load per length that the edges bear beside the profile, negative where they pull"),
+        edge_load=("Q", "N/m", "load per length at the edges in addition to that of the profile, negative in tension"),
     )
 
     problem: LineAdhesion[Q]
@@ -164,7 +164,7 @@ class LineAdhesionSolution(OfStrip, OfWidth[Q]):
 
     @property
     def stress_intensity(self) -> Q:
-        """K_I [Pa m^(1/2)] of the tension at the edges: sqrt(2 E* gamma) where they are free, less at a rim.
+        """K_I [Pa m^(1/2)] of the tension at the edges: sqrt(2 E* gamma) for free edges, less at a rim.
 
         Zero under a law with a range.
 
@@ -198,7 +198,7 @@ class LineAdhesionSolution(OfStrip, OfWidth[Q]):
 
     @property
     def outer_half_width(self) -> Q:
-        """Where the attraction ends [m]: at the edges themselves if it has no range."""
+        """Half-width up to the end of the attraction [m]; without range it is the half-width of the contact."""
         if not isinstance(self.problem.law, Dugdale):
             return self.half_width
         zone = CohesiveLineStates(self.problem.bed, self.problem.law).zone(np.ravel(self.half_width))
@@ -211,7 +211,7 @@ class LineAdhesionSolution(OfStrip, OfWidth[Q]):
 
     @property
     def pull_off_half_width(self) -> float:
-        """The half-width [m] at which it comes apart under a dead load."""
+        """The half-width [m] at which the contact separates under a dead load."""
         states = line_states(self.problem.bed, self.problem.law)
         branches: tuple[Branch, ...] = branches_beyond(states, FIXED_GRIPS, 0.0)
         starts = np.array([branch.start for branch in branches])

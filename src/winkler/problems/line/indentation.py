@@ -47,7 +47,7 @@ class LineIndentation(PerLoad[Q]):
     bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
         Profile and bodies: homogeneous, layered, graded.
     load : LineForce, HalfWidth or MeanPressure
-        What is prescribed; its value may be an array, the results then have its shape.
+        The prescribed quantity. For an array the results have its shape.
 
     References
     ----------
@@ -142,14 +142,14 @@ class LineSolution(OfStrip, OfWidth[Q]):
         Parameters
         ----------
         friction : float
-            As of `stresses`.
+            As in `stresses`.
         below : bool
-            In the first body; otherwise in the second.
+            Whether to search in the first body; otherwise the second is searched.
 
         Raises
         ------
         InvalidInput, OutsideValidity
-            As of `stresses`; also where the stress is infinite, below a sharp tip, kink or rim.
+            As in `stresses`; also where the stress is infinite, below a sharp tip, kink or rim.
         """
         coefficient, strip = one_coefficient(type(self).__name__, friction), self._touching("greatest_stress")
         contact = LineContact(self._bed, *strip, poisson_of(self._bed.medium, below), coefficient)
@@ -200,7 +200,7 @@ class LineSolution(OfStrip, OfWidth[Q]):
         ----------
         part : StrongPart
         friction : float
-            As of `stresses`.
+            As in `stresses`.
         """
         return greatest_in_part(self._bed, self._strip("part_stress"), part, friction)
 

@@ -211,9 +211,9 @@ def greatest_in_part(
     friction : float
         Traction over pressure [-].
     rounds : int
-        As of `winkler.numerics.equations.highest.highest`.
+        As in `winkler.numerics.equations.highest.highest`.
     measure
-        Of which kind; von Mises' unless given.
+        Of which kind; von Mises' by default.
     """
     shallowest = NEAR * strip.half_width if part.top == 0.0 and is_sharp(bed, *strip) else 0.0
     if not (part.first and offers(bed.medium, PlaneMedium)):
@@ -247,9 +247,9 @@ def greatest_within(
     friction : float
         Traction on the body along x over the pressure [-].
     rounds : int
-        As of `winkler.numerics.equations.highest.highest`.
+        As in `winkler.numerics.equations.highest.highest`.
     measure
-        Of which kind; von Mises' unless given.
+        Of which kind; von Mises' by default.
     """
     top, bottom = span
     wide = _spread(strip, top)

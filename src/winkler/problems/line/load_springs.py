@@ -34,7 +34,7 @@ class LoadSprings:
     """
 
     __words__ = words(
-        line=("", None, "the line contact that the springs stand for"),
+        line=("", None, "the line contact that the springs represent"),
         certain=("", None, "whether every contact is known to be one strip"),
         rising=("", None, "whether the load profile is known to rise"),
     )

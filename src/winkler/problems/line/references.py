@@ -49,11 +49,11 @@ class RollerCentre:
 
     @property
     def depth(self) -> float:
-        """How far below the surface it lies [m]."""
+        """Depth below the surface [m]."""
         return self.radius
 
     def added(self, poisson: float) -> float:
-        """Return what the opposite side adds to that of a half-plane, over P (1 - nu^2) / (pi E)."""
+        """Return the change of the approach due to the opposite contact, over P (1 - nu^2) / (pi E)."""
         return 2.0 * math.log(2.0) - (1.0 - 2.0 * poisson) / (1.0 - poisson)
 
 
@@ -66,7 +66,7 @@ class PlateBase:
     thickness : float
         t [m], positive.
     bonded : bool
-        Whether the plate sticks to the base; unless given, it slides on it without friction.
+        Whether the plate sticks to the base; by default, it slides on it without friction.
     """
 
     __words__ = words(bonded=("", None, "whether the plate sticks to its base"))
@@ -76,11 +76,11 @@ class PlateBase:
 
     @property
     def depth(self) -> float:
-        """How far below the surface it lies [m]."""
+        """Depth below the surface [m]."""
         return self.thickness
 
     def added(self, poisson: float) -> float:
-        """Return what the base adds to a half-plane, over P (1 - nu^2) / (pi E)."""
+        """Return the change of the approach due to the base, over P (1 - nu^2) / (pi E)."""
         return 1.0 / (1.0 - poisson) + 2.0 * _layer(3.0 - 4.0 * poisson if self.bonded else math.inf)
 
 

@@ -39,15 +39,16 @@ class LinePartOnset:
     Parameters
     ----------
     part : int
-        Which of the parts that have a strength it is, from the uppermost layer of the first body down, 1 the first.
+        Number of the part among those with a strength, counted from the uppermost layer of the first body down, from
+        1.
     name : str
-        What it is called.
+        Name of the part.
     force_per_length, half_width : float
         Load and half-width at the onset of yield [N/m], [m]; infinite if no yield was found in the examined range.
     x, z : float
-        Where [m], as of `LineYieldOnsetSolution`; nan where it does not yield.
+        Where [m], as in `LineYieldOnsetSolution`; nan where it does not yield.
     why : str
-        Why no onset was found; empty where it was.
+        Reason why no onset was found; empty if one was found.
     """
 
     __words__ = words(
@@ -102,7 +103,7 @@ class LineYieldOnset:
         self.bed.refuse_dragged(self.friction.coefficient)
 
     def solve(self) -> LineYieldOnsetSolution:
-        """Return the load, and where yielding begins.
+        """Return the load at the onset of yield, and the position of the onset.
 
         Raises
         ------
@@ -144,7 +145,7 @@ class LineYieldOnsetSolution(OfWidth[float]):
         Place of the onset [m] in the axes of the body, with the traction along x; negative z (also -0.0) in the second
         body.
     onsets : tuple of LinePartOnset
-        The same of each part that has a strength, from the uppermost layer of the first body down.
+        The onset of yield of each part with a strength, in order from the uppermost layer of the first body down.
     """
 
     __words__ = words(

@@ -36,7 +36,7 @@ class LineMarchedState(ShearedStrip):
     bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
         Profile and bodies.
     law : Coulomb
-        Friction.
+        Law of friction.
     stick_half_width, stick_middle : float
         Half-width and middle of the widest strip that does not slip [m].  Where the traction stays within some 0.2 % of
         what friction bears the strip may be wrong by a tenth of its width.

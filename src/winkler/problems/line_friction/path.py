@@ -32,16 +32,16 @@ class LinePath:
     Parameters
     ----------
     force_per_length : float or ndarray, (points,)
-        P [N/m], not negative; one number holds all the time.
+        P [N/m], not negative; one number is constant over the path.
     shear_force_per_length : float or ndarray, (points,)
-        Q [N/m] along x on the first body, against x on the second; one number holds all the time.
+        Q [N/m] along x on the first body, against x on the second; one number is constant over the path.
     bulk_stress : float or ndarray, (points,), optional
         Stress along x in the first body, far from the contact [Pa], tension positive.  One number is the bulk stress at
         the maximum positive shear force, to which the stress is proportional. An array gives the stress at every point.
     count : int, optional
-        Into how many equal parts each step between two points is divided.
+        Number of equal parts into which each step between two points is divided.
     time : float or ndarray, (points,), optional
-        When the points are reached [s], never falling, of viscoelastic bodies; equal times are a sudden step.
+        Times of the points [s], never decreasing, for viscoelastic bodies; equal times define a sudden step.
 
     Raises
     ------
@@ -96,22 +96,22 @@ class LinePath:
 
     @property
     def across(self) -> Array:
-        """P at every point [N/m], those in between included."""
+        """P at every point [N/m], including the intermediate points."""
         return self._divided(0)
 
     @property
     def along(self) -> Array:
-        """Q at every point [N/m], those in between included."""
+        """Q at every point [N/m], including the intermediate points."""
         return self._divided(1)
 
     @property
     def bulk(self) -> Array:
-        """Bulk stress in the first body at every point [Pa], those in between included."""
+        """Bulk stress in the first body at every point [Pa], including the intermediate points."""
         return self._divided(2) if np.ndim(self.bulk_stress) else self.bulk_per_shear * self.along
 
     @property
     def moments(self) -> Array:
-        """Time of every point [s], those in between included."""
+        """Time of every point [s], including the intermediate points."""
         return self._divided(3)
 
     @property

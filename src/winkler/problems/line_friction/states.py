@@ -29,7 +29,7 @@ class LineTangentialState(ShearedStrip):
     bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
         Profile and bodies.
     law : Coulomb
-        Friction.
+        Law of friction.
     lean : float
         Shift of an earlier contact's middle over the load per length over E* that it lacks [-], by the bulk stress.
     memory : SlipMemory

@@ -62,17 +62,18 @@ class LineTangential:
         Profile and bodies: half-planes, or layers that transmit shear to the base, elastic or with one common
         relaxation function.
     law : Coulomb
-        Friction.
+        Law of friction.
     path : LinePath
         Normal and shear force per length, and a bulk stress; with a time where the bodies relax.
     method : Method, optional
-        How slip is followed: AUTO, EXACT (sums of earlier contacts) or ELEMENTS; by default the sums where they hold.
+        Method for stick and slip: AUTO, EXACT (Ciavarella-Jaeger superposition) or ELEMENTS (boundary elements). By
+        default EXACT where it applies.
 
     Raises
     ------
     InvalidInput
-        If the method is another one.  If bodies relax, each by a law of its own, or along a path without time.  If the
-        body, or what carries its layers, is rigid and there is a bulk stress.
+        If the method is another one.  If bodies relax by separate relaxation functions, or the path has no time.  If
+        there is a bulk stress in a rigid body, or in layers on a rigid base.
     OutsideValidity
         If a layer slides on the material below.
 
@@ -126,7 +127,7 @@ class LineTangential:
 
     @property
     def relaxes(self) -> bool:
-        """Whether the bodies relax, so that the elements remember their tractions over time."""
+        """Whether the bodies are viscoelastic, so that each element depends on its load history."""
         return relaxes(self.bed.medium)
 
     @property
@@ -136,7 +137,7 @@ class LineTangential:
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: one for every point of the path."""
+        """Number of states that `steps` yields: one for every point of the path."""
         return self.path.across.size
 
     def steps(self) -> Iterator[LineTangentialState | LineMarchedState]:
@@ -145,8 +146,9 @@ class LineTangential:
         Raises
         ------
         OutsideValidity
-            If the shear force exceeds the friction limit, or the bulk stress leaves hardly any stick zone. The error is
-            raised at that point, after all earlier states.  If the method exact is asked for where no sum holds.
+            If the shear force exceeds the friction limit, or the bulk stress leaves hardly any stick zone. The error
+            is raised at that point, after all earlier states.  If the method is EXACT, but the superposition does not
+            apply.
         """
         bed, mu = self.bed, self.law.coefficient
         if self.relaxes:
@@ -184,7 +186,7 @@ class LineTangential:
             yield marched_state(bed, self.law, touching, force, width, shear, bulk, cells.lost_per_length(lost))
 
     def gathered(self, states: Iterable[LineTangentialState | LineMarchedState]) -> LineTangentialSolution:
-        """Return the solution made of these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its first part."""
         given = tuple(states)
         reached = tuple(state for state in given if isinstance(state, LineTangentialState))
         if len(reached) < len(given):
@@ -217,7 +219,8 @@ class LineTangentialSolution(LineSlip[Array], Cycled, OfPath["LineTangentialStat
     stick_half_width, stick_middle : ndarray, (points,)
         Half-width and middle of the strip that does not slip [m].
     states : tuple of LineTangentialState or LineMarchedState
-        The states themselves, which have traction, slip and stresses; the latter where the path was marched along.
+        The states, with traction, slip and stresses. They are `LineMarchedState` if the path was computed step by
+        step.
     """
 
     __words__ = words(
@@ -230,7 +233,7 @@ class LineTangentialSolution(LineSlip[Array], Cycled, OfPath["LineTangentialStat
     states: tuple[LineTangentialState | LineMarchedState, ...]
 
     def friction_work(self, x: ArrayLike) -> Array:
-        """Return what friction has lost along the path at places of the surface, per area [J/m^2].
+        """Return the frictional dissipation along the path per area [J/m^2], at positions on the surface.
 
         Divided by the coefficient of friction it is pressure times slip, the input of Archard's law.
 

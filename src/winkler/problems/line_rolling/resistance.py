@@ -53,12 +53,12 @@ class LineRollingResistance(PerLoad[Q]):
     Parameters
     ----------
     bed : LineFoundation or LayeredLineFoundation
-        A Paraboloid on a ViscoelasticHalfSpace that is a solid: no flow at long times, and a finite modulus at short
-        times. Or on layers of which at least one is viscoelastic, or on a poroelastic film.
+        A `Paraboloid` on a `ViscoelasticHalfSpace`, on layers of which at least one is viscoelastic, or on a
+        poroelastic film. Moduli must be finite at short times, and not zero at long times.
     load : LineForce, HalfWidth or MeanPressure
         The steady load, one positive number; a half-width is half of the width from edge to edge.
     speed : float or ndarray
-        v [m/s] with which the bodies pass the contact, positive; the results have its shape.
+        Speed v [m/s] of the bodies relative to the contact, positive; the results have its shape.
 
     Raises
     ------
@@ -114,7 +114,7 @@ class LineRollingResistance(PerLoad[Q]):
             )
 
     def solve(self) -> LineRollingResistanceSolution[Q]:
-        """Return the strip and the resistance at every speed.
+        """Return the contact strip and the rolling resistance at every speed.
 
         Raises
         ------
@@ -147,8 +147,9 @@ class LineRollingResistanceSolution(OfWidth[Q]):
     force_per_length, half_width : float or ndarray
         P [N/m], and half of the width from edge to edge [m].
     leading_edge, trailing_edge : float or ndarray
-        Ends of the contact [m], from the lowest point of the cylinder. The trailing edge is negative unless the solid
-        relaxes by some orders of magnitude and creeps completely before that point, as a liquid does.
+        Ends of the contact [m], from the lowest point of the cylinder. The trailing edge is usually negative. It is
+        positive only if the solid relaxes by orders of magnitude and, like a liquid, has crept completely before the
+        lowest point.
     shear_force_per_length : float or ndarray
         Q [N/m] that resists the motion.
     """
@@ -188,7 +189,7 @@ class LineRollingResistanceSolution(OfWidth[Q]):
         Parameters
         ----------
         x : array_like
-            Places on the surface [m], from the lowest point of the cylinder, which moves towards +x.
+            Positions on the surface [m], from the lowest point of the cylinder, which moves towards +x.
 
         Raises
         ------

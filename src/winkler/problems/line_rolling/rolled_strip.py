@@ -82,7 +82,7 @@ class RolledStrip(NamedTuple):
 
     @property
     def stick_share(self) -> float:
-        """Part of the width that sticks [-]."""
+        """Width of the stick zone over that of the contact [-]."""
         return float(np.diff(self.x) @ (self.slips == 0.0)) / float(self.x[-1] - self.x[0])
 
     @property

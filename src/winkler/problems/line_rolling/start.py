@@ -84,21 +84,21 @@ class LineRollingStart:
         A foundation with a Paraboloid of the relative radius of both bodies; on layers that transmit shear to the base,
         or on a body graded with depth.
     friction : Coulomb
-        Its coefficient positive and finite.
+        Friction; its coefficient must be positive and finite.
     drive : LineShearForce or Creepage
-        The constant force per length at rest and during rolling, below the friction limit; or the longitudinal
-        creepage, from rest without a force.  One number.
+        One number: the constant force per length at rest and during rolling, below the friction limit. Or the
+        longitudinal creepage; the contact at rest then has no shear force.
     load : LineForce, HalfWidth or MeanPressure
         The steady normal load, one number.
     distance : float
-        How far it rolls [m], positive; rounded up to a whole element.
+        Rolling distance [m], positive; it is rounded up to a whole element.
     reference : float, optional
-        With a prescribed creepage: distance d [m] on the surface, against which the bodies are shifted; at least two
-        half-widths.
+        With a prescribed creepage: distance d [m] of the reference points on the surface, relative to which tangential
+        displacements are measured; at least two half-widths.
     points : int, optional
-        How many states are returned along the travel.
+        Number of states that are returned along the distance.
     count : int, optional
-        Elements on half of the contact; the error falls in proportion to one over it.
+        Number of elements on half of the contact; the error is inversely proportional to it.
 
     Raises
     ------
@@ -166,16 +166,16 @@ class LineRollingStart:
 
     @property
     def steady(self) -> LineRollingSolution[float]:
-        """Rolling for ever, of bodies that are not coupled (Carter)."""
+        """The steady state of uncoupled bodies (Carter)."""
         return LineRolling(self.bed, self.friction, self.drive, self.load).solve()
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields, at most: that at rest, and one after every part of the travel."""
+        """Maximum number of states that `steps` yields: the state at rest, and one after every part of the distance."""
         return self.points + 1
 
     def steps(self) -> Iterator[LineRollingState]:
-        """Yield the contact at rest, and then after every part of the travel.
+        """Yield the contact at rest, and then after every part of the distance.
 
         Raises
         ------
@@ -235,7 +235,7 @@ class LineRollingStart:
         return max(math.ceil(steps), 1)
 
     def gathered(self, states: Iterable[LineRollingState]) -> LineRollingStartSolution:
-        """Return the solution made of these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its first part."""
         contact = touching_strip("LineRollingStart", self.bed, self.load)
         return gather(LineRollingStartSolution, self, states, contact=contact)
 
@@ -261,15 +261,15 @@ class LineRollingStartSolution:
     contact : LineSolution
         The contact under its normal load.
     distance : ndarray, (steps,)
-        Rolled since rest [m].
+        Distance rolled since rest [m].
     longitudinal_creepage : ndarray, (steps,)
         xi [-] over the last element rolled; zero at rest.
     shear_force_per_length : ndarray, (steps,)
         Q [N/m] on the first body along the rolling direction.
     stick_share : ndarray, (steps,)
-        Part of the width that sticks [-].
+        Width of the stick zone over that of the contact [-].
     states : tuple
-        The states themselves.
+        The states one by one.
     """
 
     __words__ = words(stick_share=("c/a", "", "part of the width that sticks"))
@@ -284,7 +284,7 @@ class LineRollingStartSolution:
 
     @property
     def steady(self) -> LineRollingSolution[float]:
-        """Rolling for ever, which it tends to if the bodies are similar."""
+        """The steady state, which is the limit for elastically similar bodies."""
         return self.problem.steady
 
     @property

@@ -85,16 +85,16 @@ class LineRolling(PerLoad[Q]):
         A foundation with a Paraboloid of the relative radius of both bodies; on layers that transmit shear to the base,
         or on a body graded with depth.
     friction : Coulomb
-        Its coefficient positive and finite.
+        Friction; its coefficient must be positive and finite.
     drive : LineShearForce or Creepage
         One number or an array: the force per length on the first body along the rolling direction, or the longitudinal
         creepage.
     load : LineForce, HalfWidth or MeanPressure
         The steady normal load, one number.
     coupled : bool, optional
-        Whether pressure and traction of dissimilar bodies, or of layers, act on each other; without it they do not
-        (Carter).  On layers, and for coupled bodies, the strip is divided into 400 elements, dense at both edges, with
-        the normal load of the frictionless contact.
+        Whether the coupling of pressure and traction is included, for dissimilar bodies and for layers. If False it is
+        neglected (Carter).  On layers, and for coupled bodies, the strip is divided into 400 elements, dense at both
+        edges, with the normal load of the frictionless contact.
 
     Raises
     ------
@@ -146,7 +146,7 @@ class LineRolling(PerLoad[Q]):
         _ = self.bed.along_share
 
     def solve(self) -> LineRollingSolution[Q]:
-        """Return force, creepage and the zone of stick.
+        """Return force, creepage and stick zone.
 
         Raises
         ------
@@ -211,15 +211,15 @@ class LineRollingSolution(UnderOneDrive[Q]):
     problem : LineRolling
         The problem that was solved.
     longitudinal_creepage : float or ndarray
-        xi [-]; at a prescribed force at which all slides the least one.
+        xi [-]. At a prescribed force equal to the friction limit it is the smallest possible creepage.
     shear_force_per_length : float or ndarray
         Q [N/m] on the first body along the rolling direction.
     stick_share : float or ndarray
-        Part of the width that sticks, c/a [-].
+        Width of the stick zone over that of the contact, c/a [-].
     contact : LineSolution
         The contact under its normal load.
     strips : tuple of RolledStrip
-        Of coupled bodies and layers: pressure and traction under every drive, node by node.
+        For coupled bodies and layers: pressure and traction at the nodes, for every prescribed force or creepage.
     """
 
     __words__ = words(
@@ -243,7 +243,7 @@ class LineRollingSolution(UnderOneDrive[Q]):
 
     @property
     def loss_per_area(self) -> Q:
-        """Energy lost per distance rolled and length of the cylinder [J/m^2], not negative: xi Q of similar bodies."""
+        """Dissipated energy per rolling distance and length of the cylinder [J/m^2]: xi Q for similar bodies."""
         if self.strips:
             unit = self.problem.bed.medium.modulus * float(self.contact.half_width)
             losses = np.array([unit * strip.loss for strip in self.strips])
@@ -252,7 +252,7 @@ class LineRollingSolution(UnderOneDrive[Q]):
 
     @property
     def loss_error(self) -> Q:
-        """Bound of the error of `loss_per_area` [J/m^2]; zero of half-planes that are not coupled, by closed form."""
+        """Bound of the error of `loss_per_area` [J/m^2]; zero for uncoupled half-planes (closed form)."""
         found = np.zeros(np.shape(self.longitudinal_creepage))
         if self.strips:
             unit, slope = self.problem.bed.medium.modulus * float(self.contact.half_width), self._slope

@@ -173,7 +173,7 @@ class PeriodicSolution(Stressed, OfWidth[Q]):
     force_per_length : float or ndarray
         P [N/m] of each strip, compression positive.
     half_width : float or ndarray
-        a [m] of each strip; half of the pitch where all is in contact.
+        a [m] of each strip; half of the pitch at full contact.
     """
 
     __words__ = words(
@@ -204,7 +204,7 @@ class PeriodicSolution(Stressed, OfWidth[Q]):
 
     @property
     def closure_pressure(self) -> float:
-        """Nominal pressure [Pa] at which all is in contact; infinite if the valleys are sharp."""
+        """Nominal pressure [Pa] at full contact; infinite if the valleys are sharp."""
         return float(self._bed.medium.modulus * closing_load(self._bed) / self.problem.pitch)
 
     def separation(self, x: ArrayLike) -> Array:
@@ -213,7 +213,7 @@ class PeriodicSolution(Stressed, OfWidth[Q]):
         Parameters
         ----------
         x : array_like
-            Places on the surface [m].
+            Positions on the surface [m].
 
         Raises
         ------

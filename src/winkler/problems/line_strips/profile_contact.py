@@ -51,9 +51,9 @@ class LineProfileContact(PerLoad[Q]):
         Both bodies: homogeneous, layered (bonded or sliding) or graded with depth. Examples are a CoatedHalfSpace,
         StackedHalfSpace, SlidingFilm, DepthGradedHalfSpace or GradedHalfSpace.
     load : LineForce
-        The force per length; its value may be an array, the results then have its shape.
+        The force per length. For an array the results have its shape.
     alignment : Tilt or LineOfAction, optional
-        The tilt, none unless given, or where the force acts on a body that is free to tilt.
+        The tilt (none by default), or the position of the force on a body that is free to tilt.
     elements : int, optional
         Number of positions of the first grid; evenly spaced measured points are used unchanged.
 
@@ -158,7 +158,7 @@ class LineProfileSolution(PerLoad[Q]):
     line_of_action : float or ndarray
         Where the resultant of the pressures acts [m]; without contact as prescribed, or zero.
     strip_count : float or ndarray
-        How many strips touch.
+        Number of strips in contact.
     contact_length : float or ndarray
         Sum of their widths [m].
     peak_pressure : float or ndarray
@@ -217,7 +217,7 @@ class LineProfileSolution(PerLoad[Q]):
         Parameters
         ----------
         x : array_like
-            Places on the surface [m].
+            Positions on the surface [m].
 
         Raises
         ------
@@ -233,7 +233,7 @@ class LineProfileSolution(PerLoad[Q]):
         Parameters
         ----------
         x : array_like
-            Places on the surface [m].
+            Positions on the surface [m].
 
         Raises
         ------
@@ -258,9 +258,9 @@ class LineProfileSolution(PerLoad[Q]):
         Parameters
         ----------
         x, z : array_like
-            Places along the surface [m], and depths [m] in one body, as of `LineSolution.stresses`.
+            Positions along the surface [m], and depths [m] in one body, as in `LineSolution.stresses`.
         friction : float
-            mu [-] of a contact that slides everywhere: the body is dragged along x by mu p.
+            mu [-] for full sliding: the traction on the body along x is mu p.
 
         Raises
         ------

@@ -71,10 +71,10 @@ class LineViscoelasticIndentation:
     path : LineForcePath
         Force per length over time.
     count : int, optional
-        How many springs, or cells on layers with separate relaxation functions; the error falls with its square.
+        Number of springs, or cells on layers with separate relaxation functions; the error falls with its square.
     tolerance : float, optional
-        Error of the load that crept between two moments, over its maximum value.  On layers with separate relaxation
-        functions that of the pressure in a step, and 0.1 / count^2 where that is more.
+        Error of the creep load between two times, over its maximum value.  For layers with separate relaxation
+        functions it is the error of the pressure in a step; the effective tolerance is at least 0.1 / count^2.
 
     Raises
     ------
@@ -135,11 +135,11 @@ class LineViscoelasticIndentation:
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: one for every point of the path."""
+        """Number of states that `steps` yields: one for every point of the path."""
         return self.path.moments.size
 
     def steps(self) -> Iterator[LineViscoelasticState]:
-        """Yield the state at every point of the path, just after anything sudden that happens there.
+        """Yield the state at every point of the path, just after a sudden step at this point.
 
         Raises
         ------
@@ -229,7 +229,7 @@ class LineViscoelasticIndentation:
                 yield np.zeros(1), np.array([crept.present()])
 
     def gathered(self, states: Iterable[LineViscoelasticState]) -> LineViscoelasticSolution:
-        """Return the solution made of these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its first part."""
         return gather(LineViscoelasticSolution, self, states)
 
     def solve(self) -> LineViscoelasticSolution:
@@ -285,8 +285,8 @@ class LineViscoelasticSolution(OfPath[LineViscoelasticState]):
     force_per_length, half_width : ndarray
         P [N/m], a [m], zero without contact.
     crept_load : ndarray
-        Hereditary integral of creep and force per length [m]: while the strip widens, w(a).  The creep is that of the
-        uppermost layer where each relaxes by a law of its own.
+        Hereditary integral of creep function and force per length [m]; it equals w(a) while the strip grows.  For
+        layers with separate relaxation functions, the creep function is that of the uppermost layer.
     mean_pressure, peak_pressure : ndarray
         P / (2 a) and the maximum pressure [Pa]; the latter infinite at a sharp tip, kink or rim.
     states : tuple of LineViscoelasticState
@@ -303,7 +303,7 @@ class LineViscoelasticSolution(OfPath[LineViscoelasticState]):
     states: tuple[LineViscoelasticState, ...]
 
     def approach(self, first: Place = None, second: Place = None) -> Array:
-        """Return how far two points on the axis have come together since the beginning [m], one in each body.
+        """Return the approach of two points on the axis since the beginning [m], one in each body.
 
         Parameters
         ----------
@@ -314,7 +314,7 @@ class LineViscoelasticSolution(OfPath[LineViscoelasticState]):
         Raises
         ------
         InvalidInput
-            If a reference is not stated: a line contact has no depth of its own.
+            If a reference point is missing: the approach of a line contact depends on the reference points.
         OutsideValidity
             If the strip is wider than a fifth of a finite body, or bodies or layers relax, and not in proportion.
         """
@@ -326,14 +326,14 @@ class LineViscoelasticSolution(OfPath[LineViscoelasticState]):
     def work_per_length(self, first: Place = None, second: Place = None) -> Array:
         """Return the work since the beginning, per length [J/m]: the integral of P over the approach.
 
-        Between two points of the path force and approach are taken to change in proportion, an error that falls with
-        the square of their distance.  Over a cycle after which all has returned it is what the bodies lose between the
-        points.
+        Force and approach are assumed linear between the points of the path; the error is of second order in the step.
+        Over a closed cycle it is the energy dissipated in the material between the two points.
 
         Parameters
         ----------
         first, second : float, RollerCentre or PlateBase
-            As of `approach`, whose errors it has; what is lost depends on how much of the bodies lies in between.
+            As in `approach`, with the same errors. The dissipated energy depends on the amount of material between the
+            points.
         """
         nearer, force = self.approach(first, second), self.force_per_length
         steps = np.diff(nearer, prepend=0.0) * 0.5 * (force + np.append(0.0, force[:-1]))

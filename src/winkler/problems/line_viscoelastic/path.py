@@ -29,11 +29,11 @@ class LineForcePath:
     time : ndarray, (points,)
         When [s], not negative and never falling; equal times are a sudden step.
     force_per_length : float or ndarray, (points,)
-        P [N/m], not negative; one number holds all the time.
+        P [N/m], not negative; one number is constant over the path.
     cycles : int, optional
-        How many times the row is followed, one after the other.
+        Number of repetitions of the path.
     count : int, optional
-        Into how many equal parts each step between two points is divided; a sudden step stays one.
+        Number of equal parts into which each step between two points is divided; a sudden step stays one.
 
     Raises
     ------
@@ -70,12 +70,12 @@ class LineForcePath:
 
     @property
     def moments(self) -> Array:
-        """Time of every point [s], those in between and of all cycles included."""
+        """Time of every point [s], including the intermediate points of all cycles."""
         return self._divided[0]
 
     @property
     def across(self) -> Array:
-        """P at every point [N/m], those in between and of all cycles included."""
+        """P at every point [N/m], including the intermediate points of all cycles."""
         return self._divided[1]
 
     @property

@@ -52,8 +52,8 @@ class LineViscoelasticState(OfWidth[float]):
     force_per_length, half_width : float
         P [N/m], a [m].
     crept_load : float
-        Hereditary integral of creep and force per length [m]: while the strip widens, w(a).  The creep is that of the
-        uppermost layer where each relaxes by a law of its own.
+        Hereditary integral of creep function and force per length [m]; it equals w(a) while the strip grows.  For
+        layers with separate relaxation functions, the creep function is that of the uppermost layer.
     edge_load : float
         What the edge bears like that of a flat punch [N/m]: at a rim, or where a dashpot alongside is caught.
     position : ndarray, (n,)
@@ -65,10 +65,10 @@ class LineViscoelasticState(OfWidth[float]):
     """
 
     __words__ = words(
-        edge_load=("", "N/m", "what the edge bears like that of a flat punch"),
+        edge_load=("", "N/m", "load at the edge, as of a flat punch"),
         position=("c", "m", "half-widths of the flat strips that make up the pressure"),
-        line_load=("q", "N/m", "what wider strips bear"),
-        recess=("u", "m", "hereditary integral of creep and what wider strips have borne"),
+        line_load=("q", "N/m", "load on wider strips"),
+        recess=("u", "m", "hereditary integral of creep function and load on wider strips"),
     )
 
     bed: LineFoundation | LayeredLineFoundation
@@ -157,7 +157,7 @@ class LineViscoelasticState(OfWidth[float]):
         return np.append(c, self.half_width), np.append(q, self.edge_load)
 
     def approach(self, first: Place = None, second: Place = None) -> float:
-        """Return how far two points on the axis have come together since the beginning [m], one in each body.
+        """Return the approach of two points on the axis since the beginning [m], one in each body.
 
         Parameters
         ----------
@@ -168,7 +168,7 @@ class LineViscoelasticState(OfWidth[float]):
         Raises
         ------
         InvalidInput
-            If a reference is not stated: a line contact has no depth of its own.
+            If a reference point is missing: the approach of a line contact depends on the reference points.
         OutsideValidity
             If the strip is wider than a fifth of a finite body, or bodies or layers relax, and not in proportion.
         """

@@ -52,17 +52,17 @@ class ShiftedBy(StrEnum):
 
 @value
 class MasterCurve:
-    """Sweeps at several temperatures, to be shifted into one curve.
+    """Sweeps at several temperatures, for shifting them into one master curve.
 
     Parameters
     ----------
     sweeps : DynamicSweeps or RelaxationSweeps
-        The measurements; isothermal or isochronal ones are the same.
+        The measurements, isothermal or isochronal.
     reference_temperature : float
         T_0 [K] of the master curve; the nearest measured temperature, at most `temperature_step` away, is shifted by
         one.
     vertical : bool, optional
-        Whether a factor b_T of the moduli is sought at each temperature, too.
+        Whether a factor b_T of the moduli is also fitted at each temperature.
     entropic : bool, optional
         Whether the moduli grow with the absolute temperature, b_T = T/T_0, as those of a rubber.
     fluid : bool, optional
@@ -72,8 +72,8 @@ class MasterCurve:
     temperature_step : float, optional
         Rows whose temperatures differ by less than this [K] belong to one temperature.
     by : ShiftedBy, optional
-        From which moduli the shifts follow, where storage and loss contradict each other.  The spectrum is that of
-        both, with these shifts; its errors do not contain theirs.
+        Moduli that determine the shifts, for data in which storage and loss moduli contradict each other. The spectrum
+        is fitted to both moduli with these shifts; its errors do not include those of the shifts.
 
     Raises
     ------
@@ -160,7 +160,7 @@ class MasterCurve:
         Raises
         ------
         NotConverged
-            If the search does not settle.
+            If the iteration does not converge.
         """
         centres, group = self._groups
         measured, abscissa, modulus = in_own_units(self.sweeps.measured(group))
@@ -273,11 +273,11 @@ class MasterCurveSolution(ShiftedSolid):
     relaxed_shear : float
         G_inf [Pa].
     covariances : Covariances
-        Of the logarithms of moduli and shifts.
+        Covariances of the logarithms of moduli and shifts.
     scatter : ndarray, (kinds,)
         Relative scatter of G' and G'', or of G(t) [-].
     freedom : float
-        Number of measurements less that of the numbers they determine.
+        Number of measurements minus number of fitted parameters.
     residuals : ndarray
         Logarithms of measured over fitted moduli, G' before G'' [-].
     loss_over_storage, loss_over_storage_error : ndarray, (m,) or (0,)

@@ -100,7 +100,7 @@ class RelaxationSpectrum:
         Raises
         ------
         NotConverged
-            If the search does not settle.
+            If the iteration does not converge.
         """
         measured, unshifted = self.measured, np.zeros(1)
         times = spread_times(measured, unshifted, self.per_decade)
@@ -131,11 +131,11 @@ class SpectrumSolution(SpectrumSolid):
     relaxed_shear : float
         G_inf [Pa].
     covariances : Covariances
-        Of the logarithms of moduli and shifts.
+        Covariances of the logarithms of moduli and shifts.
     scatter : ndarray, (kinds,)
         Relative scatter of G' and G'', or of G(t) [-].
     freedom : float
-        Number of measurements less that of the numbers they determine.
+        Number of measurements minus number of fitted parameters.
     residuals : ndarray
         Logarithms of measured over fitted moduli, G' before G'' [-].
     """

@@ -50,28 +50,29 @@ part of the greatest force; what it misses of less is stated."""
 def design_profile(depth: ArrayLike, force: ArrayLike, medium: Medium) -> Designed:
     """Return the body of revolution with a prescribed force-depth curve.
 
-    A measured curve may be given as well: a convex one is fitted through the points, and how far it misses them (root
-    mean square, relative to the maximum force) is the `tolerance` of the body.
+    For a measured curve a convex curve is fitted to the points. The `tolerance` of the body states the misfit (root
+    mean square, relative to the maximum force).
 
     Parameters
     ----------
     depth, force : array_like, (n,)
-        d [m], rising, and F [N], at least six depths above zero; F(0) = 0 is understood.
+        d [m], rising, and F [N], at least six depths above zero; F(0) = 0 is assumed.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, GradedHalfSpace, CoatedHalfSpace or DepthGradedHalfSpace
-        What the body will be pressed into.
+        The medium into which the body will be pressed.
 
     Returns
     -------
     Designed
-        Known up to the contact radius of the last depth; its notes state how closely the curve is met.
+        The body, defined up to the contact radius of the last depth. Its notes state the deviation from the curve.
 
     Raises
     ------
     InvalidInput
-        If the curve is not convex beyond its scatter: the contact of a body can only grow, and dF/dd with it.
+        If the curve is not convex within its scatter. The contact of a body of revolution, and therefore dF/dd, can
+        only grow.
     OutsideValidity
-        If the medium cannot be inverted, the curve requires a vertical wall, or for a contact far wider than the
-        layers.
+        If the inverse transform is not implemented for the medium, the curve requires a vertical wall, or the contact
+        is much wider than the layers are thick.
 
     Examples
     --------
@@ -111,29 +112,29 @@ def design_profile(depth: ArrayLike, force: ArrayLike, medium: Medium) -> Design
 
 
 def design_for_pressure(r: ArrayLike, pressure: ArrayLike, medium: Medium) -> Designed:
-    """Return the body of revolution that presses with a prescribed pressure.
+    """Return the body of revolution whose contact has a prescribed pressure.
 
     Parameters
     ----------
     r : array_like, (n,)
         Distances from the axis [m], rising from 0 to the contact radius, at least six.
     pressure : array_like, (n,)
-        p [Pa] there, nowhere negative. It may end above zero, as a uniform pressure does, except on layers.
+        p [Pa] there, nowhere negative. At the edge it may be positive, as for a uniform pressure, except on layers.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, GradedHalfSpace, CoatedHalfSpace or DepthGradedHalfSpace
-        What the body will be pressed into.
+        The medium into which the body will be pressed.
 
     Returns
     -------
     Designed
-        Known up to the last radius. Pressed until its contact has that radius, it yields the pressure.
+        The body, defined up to the last radius. If its contact has this radius, it has the prescribed pressure.
 
     Raises
     ------
     InvalidInput
         If the pressure is negative somewhere or the radii do not rise from 0.
     OutsideValidity
-        If the medium cannot be inverted, or the pressure on layers ends above zero. If a contact with this pressure
-        cannot grow from a point (the springs would be deepest away from the axis).
+        If the inverse transform is not implemented for the medium, or the pressure on layers is not zero at the edge.
+        If a contact with this pressure cannot grow from a point (the springs would be deepest away from the axis).
     """
     if body_of.exponent_of(medium) == 1.0:
         raise OutsideValidity(

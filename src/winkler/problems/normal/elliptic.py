@@ -83,7 +83,7 @@ class EllipticIndentation(PerLoad[Q]):
 DepthGradedHalfSpace or GradedHalfSpace
         Both bodies: on homogeneous ones Hertz's ellipse, on others a map of pixels.
     load : Force or Depth
-        What is prescribed, not negative; its value may be an array, the results then have its shape.
+        The prescribed quantity, not negative. For an array the results have its shape.
 
     Raises
     ------
@@ -117,12 +117,12 @@ DepthGradedHalfSpace or GradedHalfSpace
 
     @property
     def equivalent_radius(self) -> float:
-        """R_eq [m], of the ball whose force grows with depth as this one's, where the bodies are homogeneous."""
+        """R_eq [m] of the ball with the same force-depth curve, for homogeneous bodies."""
         return self.bodies.equivalent_radius
 
     @property
     def bed(self) -> EllipticFoundation:
-        """The springs in contact forces like these bodies, for problems that need no more; sheared along x.
+        """The spring foundation with the same force-depth curve; shear forces act along x.
 
         Raises
         ------
@@ -201,7 +201,7 @@ def pressed_ellipse(
     Raises
     ------
     OutsideValidity, NotConverged
-        As of `EllipticIndentation.solve`.
+        As in `EllipticIndentation.solve`.
     """
     radii = bodies.longitudinal_curvature_radius, bodies.lateral_curvature_radius
 
@@ -239,7 +239,7 @@ class EllipticSolution(PerLoad[Q]):
     force : float or ndarray
         F_N [N], compression positive.
     longitudinal_semi_axis, lateral_semi_axis : float or ndarray
-        a [m] along x and b [m] along y: how far the contact reaches; zero without contact.
+        Semi-axes of the contact, a [m] along x and b [m] along y; zero without contact.
     stiffness : float or ndarray
         dF/dd [N/m].
     area : float or ndarray
@@ -247,10 +247,10 @@ class EllipticSolution(PerLoad[Q]):
     peak_pressure : float or ndarray
         p_0 [Pa], the maximum; zero without contact.
     grid_error : float or ndarray
-        Relative change of depth, force and maximum pressure from half as many pixels along a side; zero of the closed
-        form.
+        Relative change of depth, force and maximum pressure compared with half as many pixels along a side; zero for
+        the closed form.
     edge_error : float or ndarray
-        Relative error of area, stiffness and semi-axes that the pixels leave; zero of the closed form.
+        Relative error of area, stiffness and semi-axes due to the pixels; zero for the closed form.
     """
 
     __words__ = words(
@@ -283,7 +283,7 @@ class EllipticSolution(PerLoad[Q]):
         Parameters
         ----------
         x, y : array_like
-            Places on the surface [m], of one shape or one that fits.
+            Positions on the surface [m], of shapes that broadcast.
 
         Raises
         ------
@@ -304,19 +304,19 @@ class EllipticSolution(PerLoad[Q]):
     def stresses(
         self, x: ArrayLike, y: ArrayLike, z: ArrayLike, friction: float = 0.0, angle: float = 0.0
     ) -> EllipticFields:
-        """Return stresses and displacements inside one body under one load, at rest or where all of the contact slides.
+        """Return stresses and displacements inside one body under one load, at rest or in full sliding.
 
         Parameters
         ----------
         x, y : array_like
-            Places along the surface [m].
+            Positions along the surface [m].
         z : array_like
             Depths [m]: not negative in the first body, negative in the second, of which -0.0 is the surface.
             All in one of them.
         friction : float
-            mu [-] of a contact that slides everywhere: the body requested is dragged by mu p.
+            mu [-] for full sliding: the traction on the body is mu p.
         angle : float
-            Direction of the traction on the body, from x towards y [rad]; that on the other body is opposite.
+            Direction of the traction on the body, from x towards y [rad]; the traction on the other body is opposite.
 
         Raises
         ------
@@ -345,17 +345,17 @@ class EllipticSolution(PerLoad[Q]):
         Parameters
         ----------
         friction, angle : float
-            As of `stresses`.
+            As in `stresses`.
         measure : {'von_mises', 'max_shear', 'orthogonal_shear', 'longitudinal_shear', 'lateral_shear'}
             Measure of stress. Half the difference of the extreme principal stresses is the maximum shear; orthogonal
             shear acts in planes parallel to the surface in any direction, along x, or along y.
         below : bool
-            In the first body; otherwise in the second.
+            Whether to search in the first body; otherwise the second is searched.
 
         Raises
         ------
         InvalidInput, OutsideValidity
-            As of `stresses`; also for another measure.
+            As in `stresses`; also for another measure.
         """
         (a, _), peak = self._pressed("stresses")
         poisson = inside.solid_below(self.problem.medium, below).poisson

@@ -30,7 +30,7 @@ class EllipticFields(BodyFields):
     xx_stress, yy_stress, zz_stress, xy_stress, xz_stress, yz_stress : ndarray
         [Pa], tension positive.
     x_displacement, y_displacement, z_displacement : ndarray
-        Against places far away [m].
+        Displacements relative to points far away [m].
     """
 
     __words__ = words(
@@ -110,7 +110,7 @@ def greatest_below_ellipse(
         The greatest one [Pa].
     poisson : float
     traction : tuple of float
-        As of `traction_of`.
+        As in `traction_of`.
 
     Raises
     ------

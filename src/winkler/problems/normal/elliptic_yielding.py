@@ -51,8 +51,8 @@ class EllipticYieldOnset:
     friction : Coulomb, optional
         Coulomb's law of a contact that slides everywhere, with the traction mu p on each body; no friction by default.
     angle : float, optional
-        Direction in which each is dragged, from x towards y in its own axes [rad]; along x unless given.  Along the
-        surface those of the second body point against those of the first.
+        Direction of the traction on each body in its own axes, from x towards y [rad]; along x by default. The
+        tangential axes of the second body are opposite to those of the first.
 
     Raises
     ------
@@ -78,7 +78,7 @@ class EllipticYieldOnset:
 
     __words__ = words(
         friction=("", None, "law of friction of a contact that slides everywhere"),
-        angle=(r"\theta", "rad", "direction in which the surface is dragged, from x towards y"),
+        angle=(r"\theta", "rad", "direction of the traction on the surface, from x towards y"),
     )
 
     bodies: CurvedBodies | CurvedPair
@@ -100,7 +100,7 @@ class EllipticYieldOnset:
             )
 
     def solve(self) -> EllipticYieldOnsetSolution:
-        """Return the force, and where yielding begins.
+        """Return the force at the onset of yield, and the position of the onset.
 
         Raises
         ------
@@ -146,11 +146,12 @@ class EllipticYieldOnsetSolution:
     contact : EllipticSolution
         The contact under this force.
     x, y, z : float
-        Where it begins [m], in the axes of the body; below zero (also -0.0) in the second one.
+        Position of the onset [m] in the axes of the body; z is negative (also -0.0) in the second body.
     onsets : tuple of EllipticPartOnset
-        The same of each body, layer and base that has a strength, from the uppermost layer of the first body down.
+        The onset of yield of each body, layer and base with a strength, in order from the uppermost layer of the first
+        body down.
     grid_error : float
-        Relative error of these forces, from half as many pixels along a side; zero of the closed form.
+        Relative error of these forces, estimated with half as many pixels along a side; zero for the closed form.
     """
 
     __words__ = words(

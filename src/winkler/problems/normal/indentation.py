@@ -48,7 +48,7 @@ class Indentation(PerLoad[Q]):
     bed : Bed
         The springs: Foundation(profile, medium) or PlaneFoundation(plane_profile, medium).
     load : Force, Depth or Radius
-        What is prescribed; its value may be an array, the results then have its shape.
+        The prescribed quantity. For an array the results have its shape.
 
     References
     ----------
@@ -161,7 +161,7 @@ class IndentationSolution(PerLoad[Q]):
 
     @property
     def energy(self) -> Q:
-        """Elastic energy U [J], the work that was needed to press the bodies together."""
+        """Elastic energy U [J]: the work of pressing the bodies together."""
         work = [_energy(self.problem.bed, d, a) for d, a in zip(*map(np.ravel, (self.depth, self.radius)), strict=True)]
         return like(np.array(work), self.depth)
 
@@ -171,7 +171,7 @@ class IndentationSolution(PerLoad[Q]):
         Parameters
         ----------
         x : ndarray
-            Places on the line [m], either side of the axis.
+            Positions along the one-dimensional foundation [m], on either side of the axis.
 
         Returns
         -------
@@ -187,7 +187,7 @@ class IndentationSolution(PerLoad[Q]):
 
     @property
     def pressed(self) -> PressedSprings:
-        """The displacement of the springs, from which the fields are restored; of one load, not of an array."""
+        """The displacement of the springs, for computing fields; available for one load, not for an array."""
         return PressedSprings(self.problem.bed, single(self.depth, "line load or fields"), float(self.radius))
 
     def at(self, index: int | tuple[int, ...]) -> IndentationSolution[float]:
@@ -212,7 +212,7 @@ class IndentationSolution(PerLoad[Q]):
         return self.notes_with(FRICTIONLESS)
 
     def notes_with(self, rubbing: SurfaceFriction) -> tuple[Note, ...]:
-        """Return how far this contact can be trusted where its surfaces rub."""
+        """Return validity notes for this contact with sliding friction."""
         return indentation_notes(self.problem.bed, np.ravel(self.depth), np.ravel(self.radius), rubbing)
 
 

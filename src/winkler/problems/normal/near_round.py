@@ -71,12 +71,12 @@ class NearlyRoundIndentation(PerLoad[Q]):
     Parameters
     ----------
     profiles : tuple of Profile
-        The profile along equally spaced directions, around the axis.
+        Profiles along equally spaced directions around the axis.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, SlidingFilm, StackedHalfSpace, \
 DepthGradedHalfSpace or GradedHalfSpace
-        Both bodies: homogeneous ones by the springs of every direction, others by pixels.
+        Both bodies. Homogeneous bodies are solved with springs in every direction, others with pixels.
     load : Force or Depth
-        What is prescribed, positive; its value may be an array.
+        The prescribed quantity, positive; its value may be an array.
 
     Raises
     ------
@@ -123,9 +123,9 @@ DepthGradedHalfSpace or GradedHalfSpace
         Raises
         ------
         OutsideValidity
-            If the body is so far from round, or known so little of, that there is no contour.
+            If the body is too far from round, or its profiles are too short, to determine the contour.
         NotConverged
-            If the force or the pressures do not settle.
+            If the iteration for the force or the pressures does not converge.
         """
         if not isinstance(self.medium, HomogeneousMedium):
             return self._by_pixels()
@@ -180,9 +180,10 @@ class NearlyRoundSolution(PerLoad[Q]):
     contour : ndarray, (..., n)
         Radius of the contact [m] in every direction.
     grid_error : float or ndarray
-        Relative change of depth, force and maximum pressure from half as many pixels along a side; zero of springs.
+        Relative change of depth, force and maximum pressure compared with half as many pixels along a side; zero for
+        springs.
     edge_error : float or ndarray
-        Relative error of stiffness and contour that the pixels leave; zero of springs.
+        Relative error of stiffness and contour due to the pixels; zero for springs.
     """
 
     __words__ = words(edge_error=EDGE_ERROR)
@@ -206,8 +207,8 @@ class NearlyRoundSolution(PerLoad[Q]):
         ratio = float(np.max(np.max(self.contour, axis=-1) / np.min(self.contour, axis=-1)))
         if ratio <= OVAL_RATIO:
             accuracy = (
-                "Compared with ellipses the force differs by at most 0.1 and the radius by at most 1 per cent. "
-                "Compared with bodies with edges they differ by 2 and 7 per cent"
+                "Compared with ellipses the force differs by at most 0.1 % and the radius by at most 1 %. "
+                "Compared with bodies with edges they differ by 2 % and 7 %"
             )
         else:
             accuracy = (

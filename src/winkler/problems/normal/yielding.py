@@ -74,14 +74,14 @@ class YieldOnset:
             raise InvalidInput("YieldOnset: no body has a strength; give Elastic(young, poisson, strength=...).")
 
     def solve(self) -> YieldOnsetSolution:
-        """Return the load, and where yielding begins.
+        """Return the load at the onset of yield, and the position of the onset.
 
         Raises
         ------
         OutsideValidity
-            If the body yields at first touch (a sharp apex, edge or rim), never, or not within the reach of the
-            profile. If the contact is not a disc, or under the edge of an incompressible truncated body. On layers, if
-            the contact would be thousands of times wider than the uppermost layer is thick.
+            If the body yields at first touch (a sharp apex, edge or rim), or not within the reach of the profile. If
+            the contact is not a disc, or under the edge of an incompressible truncated body. On layers, if the contact
+            would be thousands of times wider than the uppermost layer is thick.
         NotConverged
             If the contact radius at the onset is not found.
         """
@@ -112,7 +112,7 @@ def onset_of_part(problem: YieldOnset, number: int, part: StrongPart) -> PartOns
     Raises
     ------
     OutsideValidity, NotConverged
-        As of `YieldOnset.solve`.
+        As in `YieldOnset.solve`.
     """
     bed = problem.bed
     found = onset_in(bed, part, problem.friction.coefficient)
@@ -141,14 +141,14 @@ class YieldOnsetSolution:
         Distance from the axis and depth [m] of the onset; z > 0 in the first body, z < 0 in the second, whose surface
         is -0.0.
     x : float
-        The same distance in the direction in which the surface of that body is dragged [m]: negative behind the middle.
-        Without friction it is `r`.
+        The same distance along the direction of the traction on that body [m], negative behind the middle. Without
+        friction it is `r`.
     onsets : tuple of PartOnset
-        The same of each part that has a strength, from the uppermost layer of the first body down.
+        The onset of yield of each part with a strength, in order from the uppermost layer of the first body down.
     """
 
     __words__ = words(
-        x=("x", "m", "place in the direction in which the surface is dragged"),
+        x=("x", "m", "position along the direction of the traction"),
         onsets=("", None, "onset of yield of each body, layer and base"),
     )
 

@@ -53,7 +53,7 @@ class ContactLaw:
     deepest : float
         Maximum depth of the table [m], positive.
     tolerance : float, optional
-        Maximum error of the force that Hermite's cubic between two rows may have, over the maximum force.
+        Maximum error of the force by cubic Hermite interpolation between two rows, over the maximum force.
 
     Raises
     ------
@@ -82,7 +82,7 @@ class ContactLaw:
     assumptions: ClassVar[frozenset[Assumption]] = PRESSED
 
     def solve(self) -> ContactLawSolution:
-        """Return the table; rows lie where they are needed.
+        """Return the table, with rows at the depths that the tolerance requires.
 
         Raises
         ------
@@ -161,7 +161,7 @@ def _triangles(depth: Array, force: Array, stiffness: Array) -> Array:
 
 @value
 class ContactLawSolution:
-    """Rows of a contact law over depth, for interpolation.
+    """The solution of a `ContactLaw`: force, radius, stiffness and energy over depth.
 
     Parameters
     ----------
@@ -172,13 +172,13 @@ class ContactLawSolution:
     stiffness : ndarray, (rows,)
         dF/dd [N/m].
     shear_stiffness : ndarray, (rows,)
-        Of the sticking contact under a constant normal force [N/m].
+        Tangential stiffness without slip, at constant normal force [N/m].
     energy : ndarray, (rows,)
         Elastic energy [J].
     hermite_error : float
-        Maximum error of the force between the rows by Hermite's cubic, as measured there, over the maximum force.
+        Maximum error of the force by cubic Hermite interpolation, evaluated between the rows, over the maximum force.
     linear_error : float
-        Bound of the error by straight lines, over the maximum force; of a contact that grows with the depth.
+        Bound of the error by linear interpolation, over the maximum force; for a contact that grows with depth.
     """
 
     __words__ = words(

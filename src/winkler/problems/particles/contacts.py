@@ -91,7 +91,7 @@ Balls = TypeVar("Balls", bound=BallContacts)
 
 
 def follow_contacts(pairs: Balls, after: Array, motion: Array, twist: Array, roll: Array) -> tuple[Balls, ContactTrace]:
-    """Return the contacts after many steps, and the forces and losses of every step.
+    """Return the contacts after many steps, and forces and dissipated energies of every step.
 
     Parameters
     ----------
@@ -159,7 +159,7 @@ def numbers_of_shape(word: str, values: ArrayLike, shape: tuple[int, ...]) -> Ar
 
 @value
 class Contacts(BallContacts):
-    """Contacts of balls and their state; every array leads with the axis of the contacts.
+    """Contacts of balls with their state; the first axis of every array is that of the contacts.
 
     Make new ones with `Contacts.apart`.  They do not attract each other; for that see `AdhesiveImpact` and
     `ElasticPlasticParticle`.
@@ -173,19 +173,19 @@ class Contacts(BallContacts):
     coefficient : ndarray, (contacts,)
         Friction coefficient mu [-].
     rolling_arm : ndarray, (contacts,)
-        e [m]: the moment of rolling friction over the normal force; zero without.
+        e [m]: the moment of rolling friction over the normal force; zero without rolling friction.
     reach : ndarray, (contacts,)
-        Maximum depth [m] that the springs are made for.
+        Maximum depth [m] for which the springs are defined.
     depth : ndarray, (contacts,)
         d [m] at present, not positive without contact.
     displaced : ndarray, (contacts, n, 2)
-        Of the springs along the surface [m], from the axis to the edge.
+        Tangential deflections of the springs [m], from the axis to the edge.
     twisted : ndarray, (contacts,)
         Elastic part of the twist [rad].
     rolled : ndarray, (contacts, 2)
         Elastic part of the rolling [rad].
     dissipation : ndarray, (contacts,)
-        Heat of each contact since the beginning [J].
+        Dissipated energy of each contact since the beginning [J].
 
     Raises
     ------
@@ -239,7 +239,7 @@ class Contacts(BallContacts):
         curvature_radius, coefficient, reach, rolling_arm : float or ndarray, (contacts,)
             One number for all, or one for each.
         count : int, optional
-            How many springs each contact has over the maximum contact radius.
+            Number of springs of each contact over the maximum contact radius.
 
         Raises
         ------
@@ -281,18 +281,18 @@ class Contacts(BallContacts):
     def moved(
         self, depth: ArrayLike, *, motion: ArrayLike = 0.0, twist: ArrayLike = 0.0, roll: ArrayLike = 0.0
     ) -> Contacts:
-        """Return the contacts one step later; within it depth, motion, twist and roll change in proportion.
+        """Return the contacts after one step, in which depth, motion, twist and roll change linearly in time.
 
         Parameters
         ----------
         depth : ndarray, (contacts,)
             d [m] after the step.
         motion : ndarray, (contacts, 2), optional
-            By which the bodies move against each other along the surface [m].
+            Relative tangential displacement of the bodies in this step [m].
         twist : ndarray, (contacts,), optional
-            By which they turn about the normal [rad].
+            Relative rotation about the normal [rad].
         roll : ndarray, (contacts, 2), optional
-            By which they roll over each other [rad].
+            Relative rolling rotation [rad].
 
         Raises
         ------
@@ -310,18 +310,18 @@ class Contacts(BallContacts):
     def along(
         self, depth: ArrayLike, *, motion: ArrayLike = 0.0, twist: ArrayLike = 0.0, roll: ArrayLike = 0.0
     ) -> tuple[Contacts, ContactTrace]:
-        """Return the contacts after many steps, and the forces and losses of every step.
+        """Return the contacts after many steps, and forces and dissipated energies of every step.
 
         Parameters
         ----------
         depth : ndarray, (contacts, steps)
             d [m] after every step.
         motion : ndarray, (contacts, steps, 2), optional
-            By which the bodies move along the surface in each step [m].
+            Relative tangential displacement of the bodies in each step [m].
         twist : ndarray, (contacts, steps), optional
-            By which they turn about the normal [rad].
+            Relative rotation about the normal [rad].
         roll : ndarray, (contacts, steps, 2), optional
-            By which they roll over each other [rad].
+            Relative rolling rotation [rad].
 
         Returns
         -------
@@ -331,7 +331,7 @@ class Contacts(BallContacts):
         Raises
         ------
         InvalidInput
-            If a shape does not agree, or a number is not finite, or beyond all physics.
+            If a shape does not agree, or a number is not finite, or far outside any physical range.
         OutsideValidity
             If a contact is pressed deeper than its reach; the message names it.
         """
@@ -361,17 +361,17 @@ class Contacts(BallContacts):
 
     @property
     def shear_force(self) -> Array:
-        """The force that holds the bodies up along the surface [N], ``(contacts, 2)``."""
+        """The tangential force that resists the motion [N], ``(contacts, 2)``."""
         return np.asarray(self._single[:, np.newaxis] * self.displaced.sum(axis=1))
 
     @property
     def torque(self) -> Array:
-        """M_z that holds up a twist [N m], ``(contacts,)``."""
+        """The torque M_z that resists a twist [N m], ``(contacts,)``."""
         return np.asarray(self.twisting(self.radius[:, np.newaxis])[:, 0] * self.twisted)
 
     @property
     def rolling_moment(self) -> Array:
-        """The moment that holds up rolling [N m], ``(contacts, 2)``."""
+        """The moment that resists rolling [N m], ``(contacts, 2)``."""
         return np.asarray(self.tilting(self.radius[:, np.newaxis]) * self.rolled)
 
     @property

@@ -62,10 +62,9 @@ class ElasticPlasticParticle:
     curvature_radius : float
         R [m], positive.
     solid : Elastic
-        Its modulus, Poisson's ratio and yield strength; infinite strength if it never yields.  One that does not
-        harden.
+        Modulus, Poisson's ratio and yield strength of a solid without hardening. An infinite strength means no yield.
     path : Depth or Force
-        Depths [m] against the plane, or dead loads [N], one after the other, ``(steps,)``; depths at most R/2.
+        Depths [m] relative to the plane (at most R/2), or dead loads [N], in sequence, ``(steps,)``.
     work_opening : float, optional
         Work of separation [J/m^2]; zero (default) without adhesion.
     work_closing : float, optional
@@ -75,7 +74,7 @@ class ElasticPlasticParticle:
     Raises
     ------
     InvalidInput
-        If a number is out of its range, or the path no row.
+        If a number is out of range, or the path is not a one-dimensional array.
 
     References
     ----------
@@ -133,12 +132,12 @@ class ElasticPlasticParticle:
 
     @property
     def yield_depth(self) -> float:
-        """Where the particle begins to yield [m]; infinite if it does not up to R/2."""
+        """Depth at the onset of yield [m]; infinite if the particle does not yield up to R/2."""
         return material_of(self.curvature_radius, self.solid).yield_depth
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: one for every point of the path."""
+        """Number of states that `steps` yields: one for every point of the path."""
         return int(self._levels.size)
 
     def steps(self) -> Iterator[ParticleState]:
@@ -159,7 +158,7 @@ class ElasticPlasticParticle:
             yield _state_of(march, state, self.path, level)
 
     def gathered(self, states: Iterable[ParticleState]) -> ParticleSolution:
-        """Return the solution made of these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its first part."""
         return gather(ParticleSolution, self, states)
 
     def solve(self) -> ParticleSolution:
@@ -248,12 +247,12 @@ class ParticleSolution(ParticlePress[Array], Looped):
 
     @property
     def work(self) -> Array:
-        """What was spent since the beginning, the integral of the force over the depth [J], ``(steps,)``."""
+        """Work since the beginning: the integral of the force over the depth [J], ``(steps,)``."""
         return np.asarray(self.energy + self.dissipation)
 
     @property
     def yield_depth(self) -> float:
-        """Where the particle begins to yield [m]; infinite if it does not up to R/2."""
+        """Depth at the onset of yield [m]; infinite if the particle does not yield up to R/2."""
         return self.problem.yield_depth
 
     @property

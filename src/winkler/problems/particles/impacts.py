@@ -38,7 +38,7 @@ EXTRA_STEPS = 5
 
 @value
 class BallImpacts:
-    """Impacts of balls on surfaces or on each other; every array is ``(contacts,)``, or one number for all.
+    """Impacts of balls on surfaces or on each other; arrays are ``(contacts,)``, or one number for all.
 
     Parameters
     ----------
@@ -54,13 +54,13 @@ class BallImpacts:
         kappa [1/kg]: change of the tangential velocity of the touching points per tangential impulse, 1/m + R^2/I; for
         a solid ball 3.5/m.
     velocity : float or ndarray
-        Of approach [m/s], positive.
+        Velocity of approach [m/s], positive.
     sliding_velocity : ndarray, (contacts, 2)
-        Of the touching points along the surface [m/s].
+        Relative tangential velocity of the contact points [m/s].
     steps : int, optional
         Number of steps of an impact.
     count : int, optional
-        How many springs a contact has.
+        Number of springs of each contact.
 
     Raises
     ------
@@ -113,7 +113,7 @@ class BallImpacts:
                 )
 
     def solve(self) -> BallImpactsSolution:
-        """Return how all balls part.
+        """Return the velocities of all balls after the impact.
 
         Returns
         -------
@@ -158,24 +158,24 @@ class BallImpacts:
 
 @value
 class BallImpactsSolution:
-    """The solution of `BallImpacts`, after the last ball has parted.
+    """The solution of `BallImpacts`, after the separation of the last ball.
 
     Parameters
     ----------
     problem : BallImpacts
         The problem that was solved.
     velocity : ndarray, (contacts,)
-        Of approach [m/s]: negative, since the balls part.
+        Velocity after the impact [m/s], approach positive: negative, because the balls separate.
     sliding_velocity : ndarray, (contacts, 2)
-        Of the touching points along the surface [m/s].
+        Relative tangential velocity of the contact points [m/s].
     dissipation : ndarray, (contacts,)
-        Heat of each impact [J].
+        Dissipated energy of each impact [J].
     greatest_depth : ndarray, (contacts,)
         Hertz' maximum depth [m].
     greatest_shear_force : ndarray, (contacts,)
         Maximum shear force during the impact [N].
     duration : ndarray, (contacts,)
-        How long the bodies touch [s], a whole number of steps.
+        Contact time [s], a whole number of steps.
     """
 
     problem: BallImpacts
@@ -188,7 +188,7 @@ class BallImpactsSolution:
 
     @property
     def balance(self) -> Array:
-        """Energy that is there and that is lost, over what there was at first touch, ``(contacts,)``; should be one."""
+        """Kinetic, elastic and dissipated energy over the energy at first touch, ``(contacts,)``; should be one."""
         problem = self.problem
 
         def kinetic(velocity: Array, sliding: Array) -> Array:

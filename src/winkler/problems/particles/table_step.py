@@ -30,7 +30,7 @@ def cubic_energy(force: float, first: float, mean: float, last: float, width: fl
 
 @compiled
 def all_finite(motion: Array) -> bool:
-    """Return whether a motion can be followed: what is not finite would spoil what the contact remembers, for ever."""
+    """Return whether a motion can be followed: numbers that are not finite would spoil the contact's memory."""
     finite = True
     for k in range(motion.size):
         finite = finite and math.isfinite(motion[k])

@@ -58,7 +58,7 @@ class ContactTrace:
     stored_energy : ndarray, (contacts, steps)
         Of shear, twist and rolling [J].
     dissipation : ndarray, (contacts, steps)
-        Heat since the beginning [J].
+        Dissipated energy since the beginning [J].
     """
 
     depth: Array

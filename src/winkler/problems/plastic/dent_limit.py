@@ -33,14 +33,14 @@ class DentLimit:
     Parameters
     ----------
     bed : Foundation or EllipticFoundation
-        As of `PlasticIndentation`.
+        As in `PlasticIndentation`.
     residual_depth : float
         d0 [m], positive: the permanent approach of the bodies, both dents together.
 
     Raises
     ------
     InvalidInput
-        As of `PlasticIndentation`.
+        As in `PlasticIndentation`.
 
     References
     ----------
@@ -116,14 +116,14 @@ class DentLimitSolution:
     problem : DentLimit
         The problem that was solved.
     force, depth, radius, mean_pressure : float
-        F_N [N], d [m], a [m] and F_N over the area [Pa] under the load; a as of `PlasticPress`.
+        F_N [N], d [m], a [m] and F_N over the area [Pa] under the load; a as in `PlasticPress`.
     elastic_peak_pressure : float
-        Elastic (Hertz) pressure in the middle under this load without yielding [Pa]: the contact stress in standards.
+        Maximum elastic (Hertz) pressure under this load, without yielding [Pa]: the contact stress in standards.
     """
 
     __words__ = words(
-        elastic_peak_pressure=("p_{el}", "Pa", "greatest pressure that bodies which do not yield would bear"),
-        released=("", None, "the contact under this load, and let go"),
+        elastic_peak_pressure=("p_{el}", "Pa", "maximum pressure without yielding"),
+        released=("", None, "the contact under this load and after unloading"),
     )
 
     problem: DentLimit
@@ -135,7 +135,7 @@ class DentLimitSolution:
 
     @property
     def released(self) -> PlasticSolution:
-        """The contact under this load, and let go."""
+        """The contact under this load and after unloading."""
         return PlasticIndentation(self.problem.bed, Force(np.array([self.force, 0.0]))).solve()
 
     @property

@@ -89,20 +89,20 @@ class PlasticImpact(PerLoad[Q]):
     Parameters
     ----------
     bed : Foundation or EllipticFoundation
-        As of `PlasticIndentation`: a profile without a flat end over a `HalfSpace`; at least one body has a strength,
+        As in `PlasticIndentation`: a profile without a flat end over a `HalfSpace`; at least one body has a strength,
         which applies at the strain rate of the impact.  On layers the restitution is one up to the velocity at which
         one of them yields; greater velocities are not supported.
     mass : float
-        m [kg] of the body; of two free bodies, m1 m2 / (m1 + m2).
+        m [kg] of the body; for two free bodies m1 m2 / (m1 + m2).
     velocity : float or ndarray
         v [m/s] of approach at first touch, positive; the results have its shape.
     law : Coulomb, optional
-        Coulomb(coefficient); without friction unless given.
+        Coulomb(coefficient); without friction by default.
     lateral_velocity : float or ndarray, optional
         v_x [m/s] of the centre of mass along the surface at first touch: one number, or an array of the shape of the
         velocity.
     angular_velocity, inertia, lever : float, optional
-        As of `Impact`: omega [rad/s] at first touch, I [kg m^2], and the distance from the centre of mass to the
+        As in `Impact`: omega [rad/s] at first touch, I [kg m^2], and the distance from the centre of mass to the
         surface [m].
 
     Raises
@@ -160,13 +160,13 @@ class PlasticImpact(PerLoad[Q]):
 
     @property
     def sliding_velocity(self) -> Q:
-        """Of the touching points along the surface at first touch, v_x - lever omega [m/s]."""
+        """Relative tangential velocity of the contact points at first touch, v_x - lever omega [m/s]."""
         sliding = np.asarray(self.lateral_velocity) - self.lever * self.angular_velocity
         return shaped(np.broadcast_to(sliding, np.shape(self.velocity)).copy())
 
     @property
     def mobility(self) -> float:
-        """What a shear impulse changes the velocity of the touching points by, 1/m + lever^2 / I [1/kg]."""
+        """Change of the tangential velocity of the contact points per tangential impulse, 1/m + lever^2 / I [1/kg]."""
         return 1.0 / self.mass + self.lever**2 / self.inertia
 
     @property
@@ -176,7 +176,7 @@ class PlasticImpact(PerLoad[Q]):
 
     @property
     def yield_velocity(self) -> float:
-        """Velocity above which one of the bodies yields [m/s]; zero of a sharp tip, infinite if none does."""
+        """Velocity above which one of the bodies yields [m/s]; zero for a sharp tip, infinite without yield."""
         return math.sqrt(2.0 * _onset_energy(self._loading) / self.mass)
 
     def solve(self) -> PlasticImpactSolution[Q]:
@@ -190,7 +190,7 @@ class PlasticImpact(PerLoad[Q]):
         ------
         OutsideValidity
             If the contact exceeds the known range of the profile, or reaches a part much blunter than a paraboloid or
-            sharper than a cone. On layers, if one of them yields.
+            sharper than a cone. If a layered body yields.
         """
         given = np.ravel(np.asarray(self.velocity, dtype=float))
         velocity, place = np.unique(given, return_inverse=True)
@@ -234,15 +234,15 @@ class PlasticImpactSolution(PerLoad[Q]):
     restitution : float or ndarray
         Rebound velocity over approach velocity [-].
     greatest_depth, greatest_force, largest_radius : float or ndarray
-        d_max [m], F_max [N] and a [m] at the moment of rest; the last is the radius of the dent.
+        d_max [m], F_max [N] and a [m] at the maximum depth; the last is the radius of the dent.
     residual_depth : float or ndarray
-        d0 [m], at which the bodies would just touch after the impact: the depth of the dent.
+        d0 [m], the depth of the dent: the approach at which the bodies just touch after the impact.
     energy, dissipation : float or ndarray
         Recovered and dissipated energy [J]; part of the latter remains in the bodies as residual stress.
     duration : float or ndarray
-        How long the bodies touch [s].
+        Contact time [s].
     sliding_velocity : float or ndarray
-        w [m/s] of the touching points along the surface after the impact.
+        Tangential velocity w [m/s] of the contact points after the impact.
     """
 
     __words__ = words(
@@ -269,7 +269,7 @@ class PlasticImpactSolution(PerLoad[Q]):
 
     @property
     def yield_velocity(self) -> float:
-        """As of the problem [m/s]."""
+        """As in the problem [m/s]."""
         return self.problem.yield_velocity
 
     @property
@@ -290,7 +290,7 @@ class PlasticImpactSolution(PerLoad[Q]):
 
     @property
     def impulse_ratio(self) -> Q:
-        """Impulse along the surface over the normal one [-]: the coefficient of friction where everything slides."""
+        """Tangential over normal impulse [-]: the coefficient of friction for full sliding."""
         normal = self.problem.mass * np.asarray(self.velocity) * (1.0 + np.asarray(self.restitution))
         return shaped(self._impulse / normal)
 
@@ -302,15 +302,14 @@ class PlasticImpactSolution(PerLoad[Q]):
 
     @property
     def mean_pressure(self) -> Q:
-        """F_max over the area [Pa], at the moment of rest."""
+        """F_max over the area [Pa], at the maximum depth."""
         area = self.problem.bed.footprint.area(np.asarray(self.largest_radius))
         return shaped(np.asarray(self.greatest_force) / area)
 
     @property
     def dented(self) -> Foundation:
-        """The bed that an impact leaves, elastic up to its maximum force; of one velocity, not of an array.
-
-        Depths on it are counted from `residual_depth`.
+        """The elastic foundation after the impact, valid up to its maximum force; for one velocity, not for an array.
+        Its depths are counted from `residual_depth`.
         """
         depth = np.array([single(self.greatest_depth, "dent")])
         curve = self.problem._loading

@@ -104,13 +104,13 @@ class PlasticIndentation:
         over one.  Or over a `CoatedHalfSpace`, a `SlidingFilm` or a `StackedHalfSpace` whose layers or bodies have
         strengths: up to the load at which one of them yields.
     path : Depth or Force
-        Depths [m], or loads [N], one after the other, ``(steps,)``.
+        Depths [m] or loads [N], in sequence, ``(steps,)``.
 
     Raises
     ------
     InvalidInput
         If no body has a strength, a strength is above a fiftieth of Young's modulus, the medium is another one, the
-        profile has a flat end, or the path is no row.
+        profile has a flat end, or the path is not a one-dimensional array.
 
     References
     ----------
@@ -146,7 +146,7 @@ class PlasticIndentation:
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: one for every point of the path."""
+        """Number of states that `steps` yields: one for every point of the path."""
         return int(numbers_of(self.path).size)
 
     @property
@@ -157,12 +157,12 @@ class PlasticIndentation:
 
     @property
     def yield_depth(self) -> float:
-        """Where one of the bodies begins to yield [m]; zero of a sharp tip, infinite if none does."""
+        """Depth at the onset of yield [m]; zero for a sharp tip, infinite without yield."""
         return self._loading.at_onset(by_force=False)
 
     @property
     def yield_force(self) -> float:
-        """Under which one of the bodies begins to yield [N]; zero of a sharp tip, infinite if none does."""
+        """Force at the onset of yield [N]; zero for a sharp tip, infinite without yield."""
         return self._loading.at_onset(by_force=True)
 
     def steps(self) -> Iterator[PlasticState]:
@@ -171,15 +171,15 @@ class PlasticIndentation:
         Raises
         ------
         OutsideValidity
-            If a load is tensile, exceeds the reach of the profile, or leads to a part much blunter than a paraboloid or
-            sharper than a cone. On layers, if one of them yields.
+            If a load is tensile, exceeds the reach of the profile, or leads to a part much blunter than a paraboloid
+            or sharper than a cone. If a layered body yields.
         """
         table = _states(self)
         for row in zip(*table, strict=True):
             yield PlasticState(*(float(number) for number in row))
 
     def gathered(self, states: Iterable[PlasticState]) -> PlasticSolution:
-        """Return the solution made of these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its first part."""
         return gather(PlasticSolution, self, states)
 
     def solve(self) -> PlasticSolution:
@@ -343,12 +343,12 @@ class PlasticSolution(PlasticPress[Array], Looped):
 
     @property
     def yield_depth(self) -> float:
-        """As of the problem [m]."""
+        """As in the problem [m]."""
         return self.problem.yield_depth
 
     @property
     def yield_force(self) -> float:
-        """As of the problem [N]."""
+        """As in the problem [N]."""
         return self.problem.yield_force
 
     @property
@@ -357,9 +357,9 @@ class PlasticSolution(PlasticPress[Array], Looped):
 
     @property
     def dented(self) -> Foundation:
-        """The bed that the path leaves: the contact is elastic on it up to the maximum load so far.
+        """The elastic foundation after the path, valid up to the maximum load so far.
 
-        Depths on it are counted from `residual_depth`.
+        Its depths are counted from `residual_depth`.
         """
         curve = self.problem._loading
         by_force = isinstance(self.problem.path, Force)
@@ -380,7 +380,7 @@ def _layers_note(loading: FirstLoading) -> Note:
         Assumption.RESPONSE,
         Standing.ASYMPTOTIC,
         f"The layers are elastic up to {loading.at_onset(by_force=True):.4g} N. At this load {loading.where}. Up "
-        "to there no dent remains; greater loads are not supported.",
+        "to this load no dent remains; greater loads are not supported.",
         "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582",
     )
 

@@ -154,7 +154,7 @@ class LinePlasticIndentation:
     bed : LineFoundation
         A `Paraboloid` (the parabolic cylinder) over a `HalfSpace`; at least one body has a strength.
     path : LineForce
-        Forces per length [N/m], one after the other, ``(steps,)``.
+        Forces per length [N/m], in sequence, ``(steps,)``.
 
     Raises
     ------
@@ -238,13 +238,14 @@ class LinePlasticSolution:
     force_per_length, half_width : ndarray, (steps,)
         P [N/m], compression positive, and a [m], zero without contact.
     residual_depth : ndarray, (steps,)
-        d0 [m], by which the middle of the unloaded surfaces lies below places far away, of both bodies together.
+        d0 [m], the depth of the dent after unloading: its middle below points far away, sum over both bodies.
     largest_half_width : ndarray, (steps,)
-        Under the maximum load so far [m]: half the width of the dent.
+        Half-width under the maximum load so far [m]: half the width of the dent.
     even_share : ndarray, (steps,)
-        Part of the maximum load with an even pressure [-], the rest is Hertz's; zero of elastic bodies.
+        Fraction of the maximum load that is carried by a uniform pressure [-]; the rest has Hertz's pressure. Zero for
+        elastic bodies.
     dissipation : ndarray, (steps,)
-        What loading has cost and unloading does not return [J/m]; a part of it stays as residual stress.
+        Work of loading that unloading does not return [J/m]; a part of it remains as residual stress.
     """
 
     __words__ = words(
@@ -264,7 +265,7 @@ class LinePlasticSolution:
 
     @property
     def yield_force(self) -> float:
-        """As of the problem [N/m]."""
+        """As in the problem [N/m]."""
         return self.problem.yield_force
 
     @property
@@ -279,12 +280,12 @@ class LinePlasticSolution:
         Parameters
         ----------
         x : ndarray
-            Places within the dent [m], on either side of its middle.
+            Positions within the dent [m], on either side of its middle.
 
         Returns
         -------
         ndarray
-            Height over places far away [m], negative below; not a number beyond the dent.
+            Height relative to points far away [m], negative below; nan outside the dent.
         """
         if self.half_width.size == 0 or self.largest_half_width[-1] <= _line_loading(self.problem.bed).onset:
             return np.zeros(np.shape(x))

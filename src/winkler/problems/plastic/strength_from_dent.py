@@ -56,11 +56,11 @@ class Blow(PerLoad[Q]):
     Parameters
     ----------
     mass : float
-        m [kg] of the body; of two free bodies, m1 m2 / (m1 + m2).
+        m [kg] of the body; for two free bodies m1 m2 / (m1 + m2).
     velocity : float or ndarray
         v [m/s] of approach at first touch, positive.
     velocity_error : float, optional
-        Its standard deviation [m/s]; zero unless given.
+        Its standard deviation [m/s]; zero by default.
     """
 
     __words__ = words(velocity_error=("u(v)", "m/s", "standard deviation of the velocity"))
@@ -81,7 +81,7 @@ class Restitution(PerLoad[Q]):
     restitution : float or ndarray
         e [-], positive.
     restitution_error : float, optional
-        Its standard deviation [-]; zero unless given.
+        Its standard deviation [-]; zero by default.
     """
 
     __words__ = words(restitution_error=("u(e)", "", "standard deviation of the restitution"))
@@ -106,22 +106,23 @@ class StrengthFromDent:
     Parameters
     ----------
     bed : Foundation
-        As of `PlasticIndentation`.  The strength of the first body is computed: an `Elastic` without a strength, or a
+        As in `PlasticIndentation`.  The strength of the first body is computed: an `Elastic` without a strength, or a
         solid that hardens.  The second one may be rigid, elastic, or have a strength of its own.
     load : Force or Blow
-        The maximum loads on unloaded places of the body [N], or the impacts on them, one or several.
+        The maximum loads [N], or the impacts, each on a new place of the body; one or several.
     dent : Radius, Depth or Restitution
-        The remaining dent of each load: its radius in its plane, or its depth [m]. The depth is the permanent approach
-        of the bodies, `residual_depth` of a `PlasticIndentation`.  Of a blow also its restitution [-].
+        The residual dent of each load: its radius in the plane of its rim, or its depth [m]. The depth is the
+        permanent approach of the bodies, `residual_depth` of a `PlasticIndentation`.  For impacts the restitution [-]
+        is also possible.
     force_error, dent_error : float, optional
-        Standard deviations of forces [N] and of radii or depths of dents [m]; zero unless given.  Those of blows and
-        restitutions are given with them.
+        Standard deviations of forces [N] and of radii or depths of dents [m]; zero by default.  For impacts and
+        restitutions give the deviations in `Blow` and `Restitution`.
 
     Raises
     ------
     InvalidInput
-        As of `PlasticIndentation`. If the first body already has a strength, or loads and dents are not equally many
-        positive numbers. If a force has a restitution, or an error is given without its quantity.
+        As in `PlasticIndentation`. If the first body already has a strength, or loads and dents are not equally many
+        positive numbers. If a static force is combined with a restitution, or an error is given without its quantity.
 
     References
     ----------
@@ -144,7 +145,7 @@ class StrengthFromDent:
     """
 
     __words__ = words(
-        load=("", None, "greatest loads that the contact has borne, or blows"),
+        load=("", None, "maximum loads, or impacts"),
         dent=("", None, "radius or depth of the dent that each has left, or its restitution"),
         force_error=("u(F)", "N", "standard deviation of the force"),
         dent_error=("u(r)", "m", "standard deviation of radius or depth of the dent"),
@@ -255,13 +256,13 @@ class StrengthFromDent:
         return float(np.mean(change))
 
     def solve(self) -> StrengthFromDentSolution:
-        """Return the strength, and how certain it is.
+        """Return the strength with its standard error.
 
         Raises
         ------
         OutsideValidity
             If the contact would be as large without yielding, so that the dent determines no strength. If no strength
-            leaves so large a dent. As of `PlasticIndentation.steps` and `PlasticImpact.solve`.
+            leaves so large a dent. As in `PlasticIndentation.steps` and `PlasticImpact.solve`.
         NotConverged
             If the least squares of several loads are not found.
         """
@@ -376,7 +377,8 @@ class StrengthFromDentSolution:
     problem : StrengthFromDent
         The problem that was solved.
     strength : float
-        Y [Pa]; where yielding begins if the solid is one that hardens, else the flow stress at the strain of the dent.
+        Y [Pa]: the initial yield stress if a hardening law is given, otherwise the flow stress at the strain of the
+        dent.
     strength_error : float
         Its standard deviation by those of loads and dents [Pa], to first order; of several loads without errors by
         their scatter.
@@ -391,11 +393,12 @@ class StrengthFromDentSolution:
         Root mean square deviation of several loads over their stated errors [-]: about one if one strength explains all
         of them. Zero for a single load, or without stated errors.
     hardness : float
-        Force over the area of the dent in its plane [Pa], Meyer's hardness, here and below of the maximum load.
+        Meyer's hardness: force over the projected area of the dent [Pa]. This value and those below are for the
+        maximum load.
     radius, residual_depth : float
-        Radius and depth of the dent [m]; of a single dent one of them is that given.
+        Radius and depth of the dent [m]; for a single dent one of them is the given value.
     depth, greatest_force : float
-        Under load [m] and [N].
+        Depth [m] and force [N] under load.
     """
 
     __words__ = words(
@@ -404,7 +407,7 @@ class StrengthFromDentSolution:
         of_load=("", "", "relative change of the strength by that of force or velocity"),
         of_dent=("", "", "relative change of the strength by that of dent or restitution"),
         misfit=("", "", "what several loads miss over their stated errors"),
-        released=("", None, "the contact under the load, and let go"),
+        released=("", None, "the contact under the load and after unloading"),
         hardness=("H_M", "Pa", "force over the area of the dent in its plane, Meyer's hardness"),
     )
 
@@ -423,7 +426,7 @@ class StrengthFromDentSolution:
 
     @property
     def released(self) -> PlasticSolution:
-        """The contact of a body with this strength under the maximum load, and let go."""
+        """The contact of a body with this strength, under the maximum load and after unloading."""
         path = Force(np.array([self.greatest_force, 0.0]))
         return PlasticIndentation(self.problem._bed(self.strength), path).solve()
 

@@ -48,7 +48,7 @@ class PoroelasticRelaxation:
     depth : float
         d [m], positive.
     time : ndarray, (steps,)
-        Since it was pressed in [s], positive.
+        Time since loading [s], positive.
 
     Raises
     ------
@@ -91,7 +91,7 @@ class PoroelasticRelaxation:
             )
 
     def solve(self) -> PoroelasticSolution:
-        """Return how the force falls.
+        """Return the decrease of the force with time.
 
         Returns
         -------
@@ -117,7 +117,7 @@ class PoroelasticSolution:
     radius : float
         a [m], assumed constant.
     first_force, last_force : float
-        F_N [N] immediately after loading, and after the liquid has come to rest.
+        F_N [N] immediately after loading, and after the liquid has stopped flowing.
     """
 
     __words__ = words(
@@ -134,7 +134,7 @@ class PoroelasticSolution:
 
     @property
     def time(self) -> Array:
-        """Since it was pressed in [s], as prescribed."""
+        """Time since loading [s], as prescribed."""
         return self.problem.time
 
     @property

@@ -30,13 +30,13 @@ class FlowFactors:
     separation : ndarray, (n,)
         Distances of the mean planes h [m].
     flow_factor, lateral_flow_factor : ndarray, (n,)
-        Patir and Cheng's pressure flow factors along x and y [-]; zero where no path leads through.
+        Patir and Cheng's pressure flow factors along x and y [-]; zero if no open path exists.
     mean_gap : ndarray, (n,)
-        Mean width of the film [m], with zero where summits overlap.
+        Mean film thickness [m]; it counts as zero where asperities overlap.
     overlap_share : ndarray, (n,)
-        Part of the map where they do [-].
+        Fraction of the map in which asperities overlap [-].
     closing_separation, lateral_closing_separation : float
-        Distance h [m] at which the last path along x and y closes: the percolation threshold of the map.
+        Distance h [m] at which the last open path along x and along y closes: the percolation threshold of the map.
     """
 
     __words__ = words(
@@ -60,12 +60,13 @@ class FlowFactors:
 def flow_factors(surface: Topography, separations: ArrayLike) -> FlowFactors:
     """Return the pressure flow factors of a surface that does not deform.
 
-    In `Seal` the surface is pressed, and its factor is over a film of the mean gap; far apart both agree.
+    In `Seal` the surface is deformed, and the factor refers to a film as thick as the mean gap. At large distances
+    both factors agree.
 
     Parameters
     ----------
     surface : Topography
-        Heights of both surfaces together; the film is closed or repeated along its sides as in `Seal`.
+        Sum of the heights of both surfaces. Boundary conditions at its sides are those of `Seal`.
     separations : array_like
         Distances of the mean planes [m], positive.
 

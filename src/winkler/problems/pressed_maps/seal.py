@@ -42,11 +42,11 @@ class Seal(PerLoad[Q]):
     Parameters
     ----------
     contact : SurfaceContact
-        How they are pressed together.
+        The mechanical contact.
     viscosity : float
-        Of the fluid, dynamic [Pa s].
+        Dynamic viscosity of the fluid [Pa s].
     pressure_drop : float
-        Between two opposite sides of the map [Pa].
+        Pressure difference between two opposite sides of the map [Pa].
 
     Raises
     ------
@@ -95,7 +95,7 @@ class Seal(PerLoad[Q]):
         refuse_without_second_points("Seal", self.contact)
 
     def solve(self) -> SealSolution[Q]:
-        """Return the leak under every load.
+        """Return the leak rate under every load.
 
         Raises
         ------
@@ -157,21 +157,24 @@ class SealSolution(PerLoad[Q]):
     depth, force, area, mean_gap : float or ndarray
         As in `SurfaceContactSolution` [m], [N], [m^2], [m].
     area_error : float or ndarray
-        Maximum difference among the area and those on the four maps of every second point [m^2].
+        Error estimate [m^2]: the maximum difference between the areas on the full map and on the four maps of every
+        second point.
     leak_rate : float or ndarray
-        Volume per time that flows along x through the whole map [m^3/s]; zero where no path leads through.
+        Volume per time that flows along x through the whole map [m^3/s]; zero if no open path exists.
     leak_rate_error : float or ndarray
-        Maximum difference among it and those on the four maps of every second point [m^3/s].
+        Error estimate [m^3/s]: the maximum difference between the leak rates on the full map and on the four maps of
+        every second point.
     lateral_leak_rate : float or ndarray
         The same flow along y [m^3/s].
     medium_leak_rate : float or ndarray
-        Along x by Bruggeman's effective medium of the gaps [m^3/s]: of isotropic maps, zero if half of the map touches.
+        Leak rate along x by Bruggeman's effective medium theory [m^3/s], for isotropic maps; zero if half of the map
+        is in contact.
     flow_factor, lateral_flow_factor : float or ndarray
-        Flow along x and y over that of a film of the mean gap everywhere (Patir and Cheng).
+        Flow along x and y over that of a uniform film with the mean gap (Patir and Cheng).
     critical_gap, lateral_critical_gap : float or ndarray
-        Narrowest place of the widest path along x and y [m]; zero where no path leads through.
+        Smallest gap on the most open path along x and y [m]; zero if no open path exists.
     imbalance : float or ndarray
-        Difference of the flows in and out over their mean, the greater of both directions.
+        Relative difference of inflow and outflow, the larger one of both directions.
     """
 
     __words__ = words(
@@ -198,23 +201,23 @@ class SealSolution(PerLoad[Q]):
     imbalance: Q
 
     def closing_share(self) -> tuple[float, float]:
-        """Return between which shares of the map in contact the last path along x closes: the percolation threshold.
+        """Return the limits of the contact fraction at which the last path along x closes (percolation threshold).
 
-        The maximum share under which some fluid leaks, zero if none does, and the least under which none does, one if
-        it always does.
+        The first number is the largest fraction with leakage (zero if it never leaks), the second the smallest without
+        (one if it always leaks).
         """
         shares = np.ravel(np.asarray(self.area)) / self.problem.contact.topography.area
         leaks = np.ravel(np.asarray(self.leak_rate)) > 0.0
         return float(np.max(shares[leaks], initial=0.0)), float(np.min(shares[~leaks], initial=1.0))
 
     def last_passage(self, *, lateral: bool = False) -> FilmPassage:
-        """Return the film under the last load along x, or y: its flow per pressure over 12 viscosities, its path."""
+        """Return flow and critical path of the fluid film along x or y, under the last load."""
         state = self.contact.last
         return _passage(gap_of(state.pressure, state.separation), self.problem.contact, lateral)
 
     def fluid_pressure(self) -> Array:
-        """Return the pressure of the fluid under the last load [Pa], (nx, ny), with the drop along x; nan where none
-        flows through.
+        """Return the pressure of the fluid under the last load [Pa], (nx, ny), with the drop along x; nan where no
+        fluid flows.
         """
         return np.asarray(self.problem.pressure_drop * self.last_flow().pressure)
 

@@ -44,13 +44,13 @@ class ThermalJoint(PerLoad[Q]):
     Parameters
     ----------
     contact : SurfaceContact
-        How they are pressed together.
+        The mechanical contact.
     conductors : HeatConductors
-        What the bodies conduct, thick ones, plated or not, and how well heat passes where they touch.
+        Thermal conductors of the bodies, thick and plated or not, and the resistance of their interface.
     gap_conductivity : float, optional
-        Of what fills the gap [W/(m K)]: 0.026 of air, 0.6 of water; 0 (the default) of a vacuum.
+        Conductivity of the medium in the gap [W/(m K)]: 0.026 for air, 0.6 for water, 0 (the default) for a vacuum.
     jump_distance : float, optional
-        Temperature jump distance of rarefied gas [m], sum over both walls: some 0.4 um for air at 1 bar on metals.
+        Temperature jump distance of rarefied gas [m], sum over both walls: about 0.4 um for air at 1 bar on metals.
 
     Raises
     ------
@@ -112,7 +112,7 @@ class ThermalJoint(PerLoad[Q]):
         Raises
         ------
         NotConverged
-            If it is not found.
+            If the iteration does not converge.
         OutsideValidity
             If the pixels are too coarse for the platings.
         """
@@ -175,7 +175,7 @@ class ThermalJointSolution(PerLoad[Q]):
         Heat rate per drop of temperature [W/K].  For a periodic map: of one period, without the temperature drop of the
         same bodies in perfect contact. It is infinite for full contact without an interface.
     spot_conductance, gap_conductance : float or ndarray
-        What passes through the spots that touch, and through the gap, per drop of temperature [W/K].
+        Conductance of the contact spots, and of the gap [W/K].
     """
 
     __words__ = words(

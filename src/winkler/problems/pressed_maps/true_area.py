@@ -83,7 +83,7 @@ class TrueArea(PerLoad[Q]):
         refuse_without_second_points("TrueArea", self.contact)
 
     def solve(self) -> TrueAreaSolution[Q]:
-        """Return the answers under every load.
+        """Return area, pressure and patches under every load.
 
         Raises
         ------
@@ -138,13 +138,15 @@ class TrueAreaSolution(PerLoad[Q]):
     depth, force : float or ndarray
         As in `SurfaceContactSolution` [m], [N].
     area : float or ndarray
-        Of the contact [m^2], corrected along its edge.
+        Area of the contact [m^2], corrected along its edge.
     area_error : float or ndarray
-        Maximum difference among the area and those on the four maps of every second point [m^2].
+        Error estimate [m^2]: the maximum difference between the areas on the full map and on the four maps of every
+        second point.
     peak_pressure : float or ndarray
         Maximum pressure of a pixel [Pa].
     peak_pressure_error : float or ndarray
-        Maximum difference among it and those on the four maps of every second point [Pa].
+        Error estimate [Pa]: the maximum difference between the values on the full map and on the four maps of every
+        second point.
     mean_gap : float or ndarray
         Mean distance of the surfaces over the map [m].
     patch_count : float or ndarray
@@ -176,12 +178,12 @@ class TrueAreaSolution(PerLoad[Q]):
         return patch_areas(self.contact.last, self.problem.contact)
 
     def pressure_quantiles(self, shares: ArrayLike) -> Array:
-        """Return pressures [Pa] below which these shares of the pixels in contact lie, under the last load."""
+        """Return quantiles of the pressure in the contact pixels [Pa], under the last load."""
         pressure = self.contact.last.pressure
         return np.asarray(np.quantile(pressure[pressure > 0.0], np.asarray(shares, dtype=float)))
 
     def gap_quantiles(self, shares: ArrayLike) -> Array:
-        """Return distances [m] below which these shares of the map lie, contact included, under the last load."""
+        """Return quantiles of the gap over the whole map [m], contact included, under the last load."""
         state = self.contact.last
         return np.asarray(
             np.quantile(np.where(state.pressure > 0.0, 0.0, state.separation), np.asarray(shares, dtype=float))

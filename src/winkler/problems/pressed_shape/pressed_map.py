@@ -59,7 +59,7 @@ class PressedMap(NamedTuple):
     depth, force
         [m], since the bodies touch at the origin, and [N].
     x, y
-        Middles of the pixels [m].
+        Centres of the pixels [m].
     pixel
         (dx, dy) [m].
     pressure

@@ -48,7 +48,7 @@ class GapMap(NamedTuple):
     Parameters
     ----------
     x : ndarray, (n,)
-        Middles of the pixels along the track [m].
+        Centres of the pixels along the track [m].
     y, z : ndarray, (m,)
         Places of the lower body's profile [m].
     normal : ndarray, (2, m)

@@ -61,18 +61,18 @@ class ProfilePairRolling:
     Parameters
     ----------
     pair : ProfilePair
-        The bodies, how they stand, their load and the rolled radius; the force is the vertical one of pressures and
-        friction together.  Layers must be bonded; a graded body needs a finite modulus at its surface.
+        The bodies, their position, load and rolled radius. The force is the vertical resultant of pressures and
+        friction.  Layers must be bonded; a graded body needs a finite modulus at its surface.
     friction : Coulomb or FallingFriction
-        A coefficient that is positive and finite, or one that falls with the velocity of slip.
+        A positive, finite coefficient, or one that decreases with the slip velocity.
     lateral_drift : float, optional
-        How far the upper body moves towards +y per distance rolled [-].
+        Displacement of the upper body towards +y per rolling distance [-].
     yaw_rate, roll_rate : float, optional
         Yaw and roll of the pair per distance rolled [rad/m], about the zero of its profile.
     tolerance : float, optional
         Maximum `misfit` of a patch that counts as solved.
     speed : float, optional
-        Of rolling [m/s], for friction that falls with the velocity of slip, which is creepage times speed.
+        Rolling speed [m/s], for friction that decreases with the slip velocity (creepage times speed).
 
     Raises
     ------
@@ -131,8 +131,8 @@ class ProfilePairRolling:
         Raises
         ------
         InvalidInput, OutsideValidity
-            As `ProfilePair.solve`. Also if a contact reaches the end of a profile, friction carries the upper body, or
-            friction falls too steeply with the slip velocity.
+            As `ProfilePair.solve`. Also if a contact reaches the end of a profile, friction carries the vertical load
+            of the upper body, or friction falls too steeply with the slip velocity.
         NotConverged
             If the pressures, stick and slip, or the balance of both are not found.
         """
@@ -198,18 +198,18 @@ def _sums(patches: list[RolledPatch]) -> Array:
 
 @value
 class ProfilePairRollingSolution:
-    """The solution of `ProfilePairRolling`; arrays have a number for each patch, that with the highest load first.
+    """The solution of `ProfilePairRolling`; arrays have one value per patch, the highest load first.
 
     Parameters
     ----------
     problem : ProfilePairRolling
         The problem that was solved.
     depth : float
-        How far the upper body has gone down since first touch [m].
+        Vertical displacement of the upper body since first touch, downwards positive [m].
     height : float
-        Where z = 0 of the upper profile stands above that of the lower one [m].
+        Height of z = 0 of the upper profile above z = 0 of the lower one [m].
     x_force, y_force, z_force : float
-        What pressures and friction of all patches exert on the upper body, along, across and up [N].
+        Resultant of pressures and friction of all patches on the upper body: longitudinal, lateral and upward [N].
     loss_per_distance : float
         Energy dissipated by friction per distance rolled [J/m]; multiplied by the speed it is the power.
     peak_pressure : float
@@ -219,9 +219,9 @@ class ProfilePairRollingSolution:
         correspondingly more), over the maximum friction. Two numbers of pixels are used because one change may be small
         by chance.
     misfit : float
-        What the solver left of the law of friction, over what friction would lose if all slipped.
+        Residual of the law of friction, over the energy dissipated in full sliding.
     windows : int
-        Number of grids, which do not know of each other.
+        Number of separate grids; contacts on different grids are computed independently.
     patches : tuple of RolledPatch
         Where the bodies touch, with maps of pressure, traction and slip.
     """
@@ -233,7 +233,7 @@ class ProfilePairRollingSolution:
         grid_error=("", "", "error of forces by what changes from fewer pixels, over the friction"),
         misfit=("", "", "what the solver left of the law of friction, over what friction would lose all slipping"),
         windows=("", None, "number of grids of elements"),
-        patches=("", None, "places of contact, the one that bears most first"),
+        patches=("", None, "contact patches, the one with the highest load first"),
         place=("y", "m", "middle of the pressure of a patch, across"),
         angle=(r"\alpha", "rad", "contact angle of a patch"),
         force=("F_N", "N", "force that presses a patch"),
@@ -257,7 +257,7 @@ class ProfilePairRollingSolution:
 
     @property
     def place(self) -> Array:
-        """Where across the middles of the patches are [m], ``(patches,)``."""
+        """Lateral positions of the centres of the patches [m], ``(patches,)``."""
         return np.array([each.patch.y for each in self.patches])
 
     @property
@@ -353,7 +353,7 @@ def pair_rolling_notes(
     windows
         Number of grids.
     grid_error, misfit
-        As of `ProfilePairRollingSolution`.
+        As in `ProfilePairRollingSolution`.
     """
     homogeneous = isinstance(medium, HomogeneousMedium)
     greatest = max(patch.greatest_rigid_slip for patch in patches)
@@ -362,8 +362,8 @@ def pair_rolling_notes(
         Note(
             Assumption.SLIP,
             standing_left(misfit, Standing.ASYMPTOTIC),
-            f"Kalker's exact theory of rolling, with {named(friction)} in each pixel. The residual of the solution is "
-            f"{misfit:.1g} of the energy dissipated at full sliding. The rigid slip follows the rolling radii of "
+            f"Kalker's exact theory of rolling, with {named(friction)} in each pixel. The residual of the law of "
+            f"friction is {misfit:.1g} of the energy dissipated at full sliding. The rigid slip follows the rolling radii of "
             "both bodies across the patch.",
             KALKER,
         ),

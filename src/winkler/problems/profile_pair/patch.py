@@ -32,14 +32,13 @@ class ProfilePatch(BelowSurface):
     medium : HalfSpace or TransverselyIsotropicHalfSpace
         Both bodies.
     force, lateral_force, vertical_force : float
-        What presses the upper body: the resultant, and its parts across and up [N].
+        Forces on the upper body: the resultant, and its lateral and vertical components [N].
     angle : float
-        Contact angle [rad]: how far the resultant is turned from the vertical, positive where the lower profile rises
-        towards +y.
+        Contact angle between resultant and vertical [rad], positive where the lower profile rises towards +y.
     x, y, z : float
-        Middle of the pressure, along, across and up [m], in the axes of the lower body.
+        Centre of pressure in the axes of the lower body: longitudinal, lateral and vertical [m].
     second_y : float
-        The same on the upper body, across in its own profile [m].
+        Lateral position of the centre of pressure in the profile of the upper body [m].
     depth : float
         Maximum overlap of the undeformed bodies along a normal [m].
     peak_pressure : float
@@ -47,7 +46,7 @@ class ProfilePatch(BelowSurface):
     area : float
         [m^2].
     longitudinal_length, lateral_length : float
-        From end to end, along and across [m]; a half pixel is not resolved.
+        Length and width of the patch [m], resolved to half a pixel.
     turned : float
         Angle by which the direction of the lower profile turns from end to end [rad].
     creepage : Creepage

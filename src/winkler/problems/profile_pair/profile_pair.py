@@ -53,22 +53,24 @@ class ProfilePair:
 DepthGradedHalfSpace or GradedHalfSpace
         Both bodies; the first is the lower one.
     load : Force or Depth
-        The vertical force [N], or how far the upper body goes down after first touch [m]; one positive number.
+        The vertical force [N], or the downward displacement of the upper body after first touch [m]; one positive
+        number.
     lateral : float, optional
-        Where y = 0 of the upper profile stands across, in the axes of the lower one [m].
+        Lateral position of y = 0 of the upper profile in the axes of the lower profile [m].
     yaw : float, optional
-        Turn of the upper body about the vertical [rad], its front towards +y.
+        Rotation of the upper body about the vertical [rad], positive if its front moves towards +y.
     roll : float, optional
-        Turn about the direction along [rad], about y = z = 0 of the upper profile, its side at +y downwards.
+        Rotation of the upper body about the longitudinal axis y = z = 0 of its profile [rad], positive if its side at
+        +y moves downwards.
     first_radius, second_radius : float, optional
-        Of revolution where z = 0 [m]: the axis lies as far below the lower, or above the upper profile.  Infinite (the
-        default) of a straight body, as a rail.
+        Rolling radius at z = 0 [m]: the distance of the axis of revolution below the lower or above the upper profile.
+        Infinite (the default) for a straight body such as a rail.
     rolled_radius : float, optional
         Rolling distance per radian of the upper body [m], for the creepages; by default (zero) its radius.
     pixels : int, optional
-        Along each side of every window of contact.
+        Number of pixels along each side of every contact grid.
     tolerance : float, optional
-        As of `SurfaceContact`.
+        As in `SurfaceContact`.
 
     Raises
     ------
@@ -126,7 +128,7 @@ DepthGradedHalfSpace or GradedHalfSpace
 
     @property
     def placing(self) -> Placing:
-        """The distances of both bodies across, before the upper one is let down."""
+        """The vertical distances of both profiles before contact."""
         return placed_bodies(self)[2]
 
     def solve(self) -> ProfilePairSolution:
@@ -137,7 +139,7 @@ DepthGradedHalfSpace or GradedHalfSpace
         InvalidInput
             If the profiles do not meet, first touch at an end, or both bodies are straight along the same direction.
         OutsideValidity
-            If the bodies overlap by less than rounding, or farther than they reach.
+            If the overlap of the bodies is smaller than rounding errors, or reaches beyond the profiles.
         NotConverged
             If the pressures or the force are not found.
         """
@@ -173,9 +175,9 @@ class ProfilePairSolution:
     problem : ProfilePair
         The problem that was solved.
     depth : float
-        How far the upper body has gone down since first touch [m].
+        Vertical displacement of the upper body since first touch, downwards positive [m].
     force, lateral_force : float
-        What presses the upper body up, and across [N].
+        Vertical and lateral force on the upper body [N].
     peak_pressure : float
         The maximum [Pa].
     area : float
@@ -183,15 +185,15 @@ class ProfilePairSolution:
     grid_error : float
         The maximum relative change of force and maximum pressure from half as many pixels along a side.
     touch : float
-        Where across the bodies first touch [m].
+        Lateral position of first touch [m].
     height : float
-        Where z = 0 of the upper profile stands above that of the lower one [m].
+        Height of z = 0 of the upper profile above z = 0 of the lower one [m].
     patches : tuple of ProfilePatch
         The patches of contact, that with the highest load first.
     cut : bool
         Whether a contact reaches the end of a profile.
     windows : int
-        Number of grids, which do not know of each other.
+        Number of separate grids; contacts on different grids are computed independently.
     """
 
     __words__ = words(
@@ -201,14 +203,18 @@ class ProfilePairSolution:
         grid_error=("", "", "change of force and greatest pressure from half as many pixels"),
         touch=("y", "m", "where across the bodies first touch"),
         height=("z", "m", "height of the upper profile's zero over that of the lower one"),
-        patches=("", None, "places of contact, the one that bears most first"),
+        patches=("", None, "contact patches, the one with the highest load first"),
         cut=("", None, "whether a contact reaches the end of a profile"),
         windows=("", None, "number of grids of elements"),
-        angle=(r"\alpha", "rad", "contact angle of the patch that bears most"),
-        place=("y", "m", "middle of the pressure across, of the patch that bears most"),
-        longitudinal_creepage=(r"\xi", "", "creepage along, of the patch that bears most"),
-        lateral_creepage=(r"\eta", "", "creepage across, of the patch that bears most"),
-        spin=(r"\varphi", "1/m", "rotation about the normal per distance rolled, of the patch that bears most"),
+        angle=(r"\alpha", "rad", "contact angle of the patch with the highest load"),
+        place=("y", "m", "lateral position of the centre of pressure, of the patch with the highest load"),
+        longitudinal_creepage=(r"\xi", "", "longitudinal creepage of the patch with the highest load"),
+        lateral_creepage=(r"\eta", "", "lateral creepage of the patch with the highest load"),
+        spin=(
+            r"\varphi",
+            "1/m",
+            ("spin (rotation about the normal per distance rolled) of the patch with the highest load"),
+        ),
     )
 
     problem: ProfilePair
@@ -231,7 +237,7 @@ class ProfilePairSolution:
 
     @property
     def place(self) -> float:
-        """Where across its middle is [m]."""
+        """Lateral position of its centre [m]."""
         return self.patches[0].y
 
     @property

@@ -51,9 +51,9 @@ class RolledPatch(BelowSurface):
     longitudinal_force, lateral_force : float
         Forces on the lower body, along x and along the arc towards +y [N].
     moment : float
-        With which it turns it about the normal at the middle of the pressure [N m].
+        Moment on the lower body about the normal at the centre of pressure [N m].
     x_force, y_force, z_force : float
-        What pressures and friction together exert on the upper body, along, across and up [N].
+        Resultant of pressures and friction on the upper body: longitudinal, lateral and upward [N].
     saturation : float
         Resultant of longitudinal and lateral force over mu F_N [-]; mu is that of slow slip if friction falls.
     stick_share : float
@@ -67,7 +67,7 @@ class RolledPatch(BelowSurface):
     creep : ndarray, (2, n, m)
         Slip of the upper body over the lower one per distance rolled [-].
     slipping : ndarray of bool, (n, m)
-        Which pixels slip.
+        Whether the pixel slips.
     """
 
     __words__ = words(
@@ -138,7 +138,7 @@ def rolled_patches(
     drift : Drift
         Of the upper body.
     tolerance : float
-        As of `roll`.
+        As in `roll`.
     speed : float
         Of rolling [m/s], for friction that falls with the velocity of slip.
 

@@ -56,24 +56,24 @@ class RollerContact(PerLoad[Q]):
     radius : float
         R [m] across: 1/R is the sum of the curvatures of roller and raceway.
     length : float
-        Of the roller [m]; the raceway is longer.
+        Length of the roller [m]; the raceway is longer.
     ends : SharpEnds, CrownedEnds, RoundedEnds or LogarithmicEnds
-        How the roller ends.
+        Shape of the ends of the roller.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, SlidingFilm, StackedHalfSpace, \
 DepthGradedHalfSpace or GradedHalfSpace
         Both bodies; the E* of a logarithmic crown is their `modulus`, of layers that of the uppermost ones.
     load : Force or Depth
         Prescribed load; an array is solved load by load.  A depth is the approach of the bodies in the middle.
     alignment : Tilt or Moment, optional
-        The tilt, none unless given, or the moment under which the roller finds its tilt.
+        The tilt (none by default), or the moment that determines the tilt.
     elements : int, optional
-        Along the contact, an even number.
+        Number of elements along the contact, even.
 
     Raises
     ------
     InvalidInput
-        If the ends do not fit on the roller, a force is not positive, or the bodies do not touch at a given depth. If a
-        moment would need tension, or elements are out of range.
+        If the ends do not fit on the roller, a force is not positive, or the bodies do not touch at a given depth. If
+        a moment would require tension, or the number of elements is out of range.
 
     References
     ----------
@@ -145,7 +145,7 @@ DepthGradedHalfSpace or GradedHalfSpace
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: one for every load."""
+        """Number of states that `steps` yields: one for every load."""
         return int(self._loads.size)
 
     def steps(self) -> Iterator[RollerState]:
@@ -249,7 +249,7 @@ DepthGradedHalfSpace or GradedHalfSpace
         Raises
         ------
         NotConverged, OutsideValidity
-            As of `steps`.
+            As in `steps`.
         """
         return self.gathered(self.steps())
 

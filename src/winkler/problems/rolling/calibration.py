@@ -42,8 +42,7 @@ class Kalker:
     """Spring stiffness from Kalker's coefficients of a round contact (default)."""
 
     def stiffness(self, bed: Bed, radius: float) -> tuple[float, float]:
-        """Return c11 G / 2 and c22 G / 2 [Pa], of layers and graded bodies half the forces of a disc that does not
-        slip.
+        """Return c11 G / 2 and c22 G / 2 [Pa]; for layers and graded bodies from a disc without slip.
 
         Parameters
         ----------
@@ -101,20 +100,20 @@ class Uncalibrated:
     """Springs with the stiffness G* of a contact at rest, for comparison."""
 
     def stiffness(self, bed: Bed, radius: float) -> tuple[float, float]:
-        """Return G* twice [Pa].
+        """Return G* for both directions [Pa].
 
         Parameters
         ----------
         bed : Bed
             On a homogeneous medium.
         radius : float
-            a [m] of the contact, which does not matter.
+            Contact radius a [m]; the result does not depend on it.
         """
         stiffness = float(bed.tangential_stiffness(np.array([1.0]))[0])
         return stiffness, stiffness
 
     def notes(self, bed: Bed, radius: float) -> tuple[Note, ...]:
-        """Return how much too soft they are."""
+        """Return a note that states the error of the stiffness."""
         return (
             Note(
                 Assumption.CALIBRATION,

@@ -40,12 +40,12 @@ class Creepage(PerLoad[Q]):
     spin : float or ndarray, optional
         phi [1/m], rotation about the normal of the contact per distance rolled.
 
-    All three may be arrays, of shapes that fit each other; the results then have the common shape.
+    All three may be arrays whose shapes broadcast; the results have the common shape.
 
     Raises
     ------
     InvalidInput
-        If a number is not finite, a slip beyond 1e9, or the shapes do not fit.
+        If a number is not finite, a slip beyond 1e9, or the shapes do not broadcast.
 
     References
     ----------

@@ -86,7 +86,7 @@ def linear_creep_coefficients(ratio: float, poisson: float) -> LinearCreepCoeffi
     Returns
     -------
     LinearCreepCoefficients
-        To five digits or more: `error` says how many.
+        Coefficients with at least five correct digits; `error` states the accuracy.
 
     Raises
     ------

@@ -2,7 +2,7 @@ r"""A contact that is rocked to and fro under a shear force: it comes to rest, o
 
 A ball under :math:`F_N` and a constant :math:`F_x` rolls by :math:`\pm W`.  Springs at the edges enter and leave; what
 they bore is lost, and the others take it over.  Only those that stay in contact all the time, and there only what the
-least of their bounds allows, can bear anything for ever:
+least of their bounds allows, can bear anything without end:
 
 .. math:: F_{\lim} = 2\int_0^{a-W} \mu\,q_z(x+W)\,\mathrm dx ,\qquad
           \frac{F_{\lim}}{\mu F_N} = 1-\tfrac32 w+\tfrac12 w^3\quad(w=W/a,\text{ sphere}).
@@ -55,19 +55,19 @@ class OscillatingRolling:
     bed : Bed
         The foundation: Foundation(profile, medium); on layers, graded bodies and power laws with `Kalker`.
     friction : Coulomb
-        Its coefficient positive and finite.
+        Friction; its coefficient must be positive and finite.
     amplitude : float
-        How far the contact moves to each side, W [m], positive.
+        Amplitude W of the rolling motion [m], positive.
     shear_force : float
-        F_x [N], along the direction of rolling, zero or more; put on at rest, before the first cycle.
+        F_x [N] along the direction of rolling, zero or more; applied at rest, before the first cycle.
     load : Force, Depth or Radius
         The steady normal load, one number.
     calibration : Kalker or Uncalibrated, optional
-        How stiff the springs are along the surface.
+        Tangential stiffness of the springs.
     cycles : int, optional
         How many.
     count : int, optional
-        Springs on half of the contact, at least.
+        Minimum number of springs on half of the contact.
 
     Raises
     ------
@@ -126,11 +126,11 @@ class OscillatingRolling:
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: that at rest, and one after every cycle."""
+        """Number of states that `steps` yields: the state at rest, and one after every cycle."""
         return self.cycles + 1
 
     def steps(self) -> Iterator[RockingState]:
-        """Yield the contact in its middle position, before the first and after every cycle.
+        """Yield the state in the middle position, before the first and after every cycle.
 
         Raises
         ------
@@ -161,12 +161,12 @@ class OscillatingRolling:
             yield RockingState(cycle=cycle, shift=shift, x=sampled.x, shear_load=load)
 
     def gathered(self, states: Iterable[RockingState]) -> OscillatingRollingSolution:
-        """Return the solution made of these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its first part."""
         contact = touching("OscillatingRolling", self.bed, self.load)
         return gather(OscillatingRollingSolution, self, states, contact=contact, shakedown_force=self.shakedown_force)
 
     def solve(self) -> OscillatingRollingSolution:
-        """Return the shift after every cycle.
+        """Return the tangential displacement after every cycle.
 
         Returns
         -------
@@ -219,11 +219,11 @@ class OscillatingRollingSolution:
     shakedown_force : float
         F_lim [N], the maximum force with shakedown.
     cycle : ndarray, (steps,)
-        How many cycles are over: 0, 1, 2 ...
+        Number of completed cycles: 0, 1, 2 ...
     shift : ndarray, (steps,)
-        u_x after them [m].
+        Tangential displacement u_x after these cycles [m].
     states : tuple
-        The states themselves.
+        The states one by one.
     """
 
     problem: OscillatingRolling
@@ -235,7 +235,7 @@ class OscillatingRollingSolution:
 
     @property
     def ratchets(self) -> bool:
-        """Whether it creeps on for ever."""
+        """Whether the displacement grows without end (ratcheting)."""
         return self.problem.shear_force > self.shakedown_force
 
     @property

@@ -70,7 +70,7 @@ class SimplifiedRolling(PerLoad[Q]):
     load : Force
         The normal force, one positive number.
     count : int, optional
-        Strips across the contact, and steps along each.
+        Number of strips across the contact, and of steps along each strip.
     speed : float, optional
         Rolling speed [m/s], for friction that falls with the slip velocity (creepage times speed). Under Coulomb's law
         forces do not depend on it.
@@ -144,7 +144,7 @@ class SimplifiedRolling(PerLoad[Q]):
         return SimplifiedRollingSolution(self, along, across, moment, a, b, coefficients)
 
     def drives(self, a: float, b: float, coefficients: CreepCoefficients) -> Array:
-        """Return how fast sticking tractions grow, in units of the disc and of the maximum bound, ``(m, 4)``."""
+        """Return the growth rates of tractions in the stick zone, in normalised units, ``(m, 4)``."""
         xi, eta, spin = self.creepage.broadcast()
         shear = rolling_pair(self.medium).shear
         first = 8.0 * a / (3.0 * coefficients.longitudinal * shear)
@@ -155,7 +155,7 @@ class SimplifiedRolling(PerLoad[Q]):
         return np.stack([xi / first, eta / second, spin * b / third, spin * a / third], axis=1) * unit
 
     def falls(self, a: float, b: float) -> Array:
-        """Return the rigid slip over v_0, in units of the disc, and mu_k over mu_s, ``(m, 5)``."""
+        """Return the rigid slip over v_0 in normalised units, and mu_k over mu_s, ``(m, 5)``."""
         xi, eta, spin = self.creepage.broadcast()
         law, pace, kept = self.friction, 0.0, np.ones(xi.size)
         if isinstance(law, FallingFriction):
@@ -174,7 +174,7 @@ class SimplifiedRollingSolution(CreepageSolution[Q]):
     longitudinal_force, lateral_force : float or ndarray
         F_x and F_y [N] on the first body.
     moment : float or ndarray
-        M_z [N m], with which it turns it: an approximation of its own, see `validity`.
+        Moment M_z [N m] on the first body; for its accuracy see `validity`.
     longitudinal_semi_axis, lateral_semi_axis : float
         a and b [m].
     coefficients : CreepCoefficients
@@ -341,7 +341,7 @@ def distance_notes(creepage: Creepage, ratio: float, poisson: float) -> tuple[No
     distance = known.spun if spun else known.both if both else known.one
     turned = known.spun_moment if spun else known.moment
     statement = (
-        f"{THEORY}The springs were compared with Kalker's exact theory near this ellipse and this Poisson's ratio. "
+        f"{THEORY}The springs were compared with Kalker's exact theory for similar ellipses and Poisson's ratios. "
         f"{under} the force differs by at most {distance:.2g} mu F_N, the moment by at most {turned:.2g} mu F_N "
         "sqrt(a b)."
     )

@@ -52,7 +52,7 @@ def springs(owner: str, line: RollingLine, travel: float, pieces: int, count: in
     pieces : int
         After each of which a state is returned.
     count : int
-        Springs on half of the contact, at least.
+        Minimum number of springs on half of the contact.
 
     Raises
     ------

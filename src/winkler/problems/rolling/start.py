@@ -54,21 +54,21 @@ class RollingStart:
     bed : Bed
         The foundation: Foundation(profile, medium); on layers, graded bodies and power laws with `Kalker`.
     friction : Coulomb
-        Its coefficient positive and finite.
+        Friction; its coefficient must be positive and finite.
     creepage : Creepage
         Longitudinal and lateral, one number each; no spin.
     load : Force, Depth or Radius
         The steady normal load, one number.
     distance : float
-        How far it rolls [m], positive.
+        Rolling distance [m], positive.
     start : ShearForce, optional
         Shear force at rest, along the direction of the creep force (negative: against it).
     calibration : Kalker or Uncalibrated, optional
-        How stiff the springs are along the surface.
+        Tangential stiffness of the springs.
     points : int, optional
-        How many states are returned along the travel, evenly spaced.
+        Number of states that are returned along the distance, evenly spaced.
     count : int, optional
-        Springs on half of the contact, at least.
+        Minimum number of springs on half of the contact.
 
     Raises
     ------
@@ -123,16 +123,16 @@ class RollingStart:
 
     @property
     def steady(self) -> RollingSolution[float]:
-        """Rolling for ever."""
+        """The steady state."""
         return Rolling(self.bed, self.friction, self.creepage, self.load, self.calibration).solve()
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: that at rest, and one after every part of the travel."""
+        """Number of states that `steps` yields: the state at rest, and one after every part of the distance."""
         return self.points + 1
 
     def steps(self) -> Iterator[RollingState]:
-        """Yield the contact at rest, and then after every part of the travel.
+        """Yield the contact at rest, and then after every part of the distance.
 
         Raises
         ------
@@ -166,7 +166,7 @@ class RollingStart:
             )
 
     def gathered(self, states: Iterable[RollingState]) -> RollingStartSolution:
-        """Return the solution made of these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its first part."""
         contact = touching("RollingStart", self.bed, self.load)
         return gather(RollingStartSolution, self, states, contact=contact)
 
@@ -217,13 +217,13 @@ class RollingStartSolution:
     contact : IndentationSolution
         The contact under its normal load.
     distance : ndarray, (steps,)
-        Rolled since rest [m].
+        Distance rolled since rest [m].
     shear_force : ndarray, (steps,)
-        Along the direction of the creep force [N].
+        Shear force along the direction of the creep force [N].
     stick_share : ndarray, (steps,)
-        Part of the line of springs that sticks [-].
+        Fraction of the one-dimensional foundation in the stick zone [-].
     states : tuple
-        The states themselves.
+        The states one by one.
     """
 
     problem: RollingStart
@@ -235,7 +235,7 @@ class RollingStartSolution:
 
     @property
     def steady(self) -> RollingSolution[float]:
-        """Rolling for ever, which it tends to."""
+        """The steady state, which is the limit of the solution."""
         return self.problem.steady
 
     @property

@@ -49,13 +49,13 @@ class Rolling(PerLoad[Q]):
     bed : Bed
         The foundation: Foundation(profile, medium); on layers, graded bodies and power laws with `Kalker`.
     friction : Coulomb
-        Its coefficient positive and finite.
+        Friction; its coefficient must be positive and finite.
     creepage : Creepage
         Longitudinal and lateral, also arrays; no spin.
     load : Force, Depth or Radius
         The steady normal load, one number.
     calibration : Kalker or Uncalibrated, optional
-        How stiff the springs are along the surface.
+        Tangential stiffness of the springs.
 
     Raises
     ------
@@ -63,7 +63,7 @@ class Rolling(PerLoad[Q]):
         If friction is not Coulomb's with a positive, finite coefficient, the load an array, or the response of the
         medium to tractions not known.
     OutsideValidity
-        If there is spin, which has no counterpart on a line, or a layer slides.
+        If there is spin, which a one-dimensional foundation cannot represent, or a layer slides on its base.
 
     References
     ----------
@@ -139,7 +139,7 @@ class RollingSolution(CreepageSolution[Q]):
     longitudinal_force, lateral_force : float or ndarray
         F_x and F_y [N] on the first body.
     stick_share : float or ndarray
-        Part of the line of springs that sticks [-].
+        Fraction of the one-dimensional foundation in the stick zone [-].
     contact : IndentationSolution
         The contact under its normal load.
     """
@@ -159,7 +159,7 @@ class RollingSolution(CreepageSolution[Q]):
         Parameters
         ----------
         x : ndarray
-            Places on the line [m], the leading edge at +a.
+            Positions along the one-dimensional foundation [m], the leading edge at +a.
 
         Returns
         -------

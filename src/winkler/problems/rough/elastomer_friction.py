@@ -36,7 +36,7 @@ class ElastomerFriction:
     Parameters
     ----------
     spectrum : Spectrum
-        Of the rough surface.
+        Spectrum of the rough surface.
     solid : ViscoelasticSolid
         The elastomer.
     velocity : array_like
@@ -107,7 +107,7 @@ class ElastomerFrictionSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """How far the result can be trusted: not far."""
+        """How far the result can be trusted: this is an estimate only."""
         return (
             Note(
                 Assumption.ROUGHNESS,

@@ -70,19 +70,19 @@ class RoughContact(PerLoad[Q]):
     Parameters
     ----------
     spectrum : Spectrum
-        Of both surfaces together: SelfAffine or PowerSpectrum.
+        Combined spectrum of both surfaces: SelfAffine or PowerSpectrum.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
         Both bodies.
     side : float
         Side of the square [m]; waves longer than the profile line of 1.1523 sides are omitted.
     load : Force or Depth
-        What is prescribed, positive; depths from the first touch of the highest point.
+        The prescribed quantity, positive. Depths are counted from the first touch of the highest point.
     realisations : int, optional
-        How many random lines.
+        Number of random profiles.
     count : int, optional
-        Number of springs in each; waves shorter than two springs are omitted.
+        Number of springs in each profile; waves shorter than two springs are omitted.
     seed : int, optional
-        Of the phases; equal seeds, equal results.
+        Seed of the random phases; equal seeds give equal results.
 
     Raises
     ------
@@ -119,28 +119,28 @@ class RoughContact(PerLoad[Q]):
 
     @property
     def length(self) -> float:
-        """Of the line [m]."""
+        """Length of the profiles [m]."""
         return LINE_OVER_SIDE * self.side
 
     def lines(self) -> Iterator[RoughLine]:
-        """Yield the lines.
+        """Yield the random profiles.
 
         Raises
         ------
         InvalidInput
-            If no wave of the spectrum fits them.
+            If the spectrum contains no wave that fits into the profile.
         """
         rising = line_stiffnesses(self.medium, self.count, self.length / self.count)
         for heights in random_lines(self.spectrum, self.count, self.length, line_seeds(self.seed, self.realisations)):
             yield RoughLine(heights, self.length, self.medium.modulus, rising)
 
     def solve(self) -> RoughContactSolution[Q]:
-        """Return force, depth and stiffness: the median of all lines, and the band of eight in ten.
+        """Return force, depth and stiffness: medians of the random profiles, and bands with 80 % of them.
 
         Raises
         ------
         InvalidInput
-            If no wave of the spectrum fits the line.
+            If the spectrum contains no wave that fits into the profile.
         """
         return RoughContactSolution(self, **ensemble(self.lines(), self.load)._asdict())
 
@@ -154,16 +154,16 @@ class RoughContactSolution(RoughSolution[Q]):
     problem : RoughContact
         The problem that was solved.
     depth, force, stiffness : float or ndarray
-        d [m], F [N], dF/dd [N/m]: the median of all lines, in the shape of the load.
+        d [m], F [N], dF/dd [N/m]: the median of all random profiles, in the shape of the load.
     depth_band, force_band, stiffness_band : ndarray, (2, ...)
-        Between these two lie eight of ten lines.
+        Limits between which 80 % of the random profiles lie.
     """
 
     problem: RoughContact[Q]
 
     @property
     def area(self) -> Q:
-        """True area of contact [m^2], after Persson: the length of the line in contact is none."""
+        """True contact area after Persson [m^2]; the one-dimensional foundation gives no area."""
         square = self.problem.side**2
         steep = slope_modulus(self.problem.medium, self.problem.spectrum)
         fraction = area_fraction(np.asarray(self.force) / square, steep, 1.0)

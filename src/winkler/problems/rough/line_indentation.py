@@ -47,19 +47,19 @@ class RoughIndentation(PerLoad[Q]):
     Parameters
     ----------
     spectrum : Spectrum
-        Of both surfaces together: SelfAffine or PowerSpectrum.
+        Combined spectrum of both surfaces: SelfAffine or PowerSpectrum.
     bed : Foundation
         The smooth body, on an elastic half-space, layered, graded or neither.
     length : float
-        Of the line [m]; wider than the contact. Longer waves are omitted.
+        Length of the random profiles [m], larger than the contact. Longer waves are omitted.
     load : Force or Depth
-        What is prescribed, positive; depths from the first touch of the highest point.
+        The prescribed quantity, positive. Depths are counted from the first touch of the highest point.
     realisations : int, optional
-        How many random lines.
+        Number of random profiles.
     count : int, optional
-        Number of springs in each; waves shorter than two springs are omitted.
+        Number of springs in each profile; waves shorter than two springs are omitted.
     seed : int, optional
-        Of the phases; equal seeds, equal results.
+        Seed of the random phases; equal seeds give equal results.
 
     Raises
     ------
@@ -106,12 +106,12 @@ class RoughIndentation(PerLoad[Q]):
         return (np.arange(self.count) + 0.5 - 0.5 * self.count) * (self.length / self.count)
 
     def lines(self) -> Iterator[RoughLine]:
-        """Yield the lines.
+        """Yield the random profiles.
 
         Raises
         ------
         InvalidInput
-            If no wave of the spectrum fits them.
+            If the spectrum contains no wave that fits into the profile.
         OutsideValidity
             If the contact reaches the end of the line, or of what is known of the body.
         """
@@ -142,12 +142,12 @@ class RoughIndentation(PerLoad[Q]):
         raise OutsideValidity(f"{where} the end of the line of {self.length:.6g} m; give a longer one, or press less.")
 
     def solve(self) -> RoughIndentationSolution[Q]:
-        """Return force, depth and stiffness: the median of all lines, and the band of eight in ten.
+        """Return force, depth and stiffness: medians of the random profiles, and bands with 80 % of them.
 
         Raises
         ------
         InvalidInput
-            If no wave of the spectrum fits the line.
+            If the spectrum contains no wave that fits into the profile.
         OutsideValidity
             If the contact reaches the end of the one-dimensional foundation, or of the known range of the body.
         """
@@ -163,9 +163,9 @@ class RoughIndentationSolution(RoughSolution[Q]):
     problem : RoughIndentation
         The problem that was solved.
     depth, force, stiffness : float or ndarray
-        d [m], F [N], dF/dd [N/m]: the median of all lines, in the shape of the load.
+        d [m], F [N], dF/dd [N/m]: the median of all random profiles, in the shape of the load.
     depth_band, force_band, stiffness_band : ndarray, (2, ...)
-        Between these two lie eight of ten lines.
+        Limits between which 80 % of the random profiles lie.
     """
 
     problem: RoughIndentation[Q]

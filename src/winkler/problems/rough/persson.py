@@ -46,7 +46,7 @@ def area_fraction(pressure: Array, modulus: float, rms_slope: float) -> Array:
     modulus : float
         E* [Pa].
     rms_slope : float
-        Root mean square of the gradient [-].
+        Root mean square gradient [-].
 
     Raises
     ------
@@ -78,7 +78,7 @@ def mean_separation(pressure: Array, modulus: float, spectrum: Spectrum) -> Arra
     modulus : float
         E* [Pa].
     spectrum : Spectrum
-        Of both surfaces together.
+        Combined spectrum of both surfaces.
 
     Raises
     ------

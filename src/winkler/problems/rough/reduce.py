@@ -70,14 +70,14 @@ class Reduction:
     Parameters
     ----------
     topography : Topography
-        A map that stands alone.
+        A non-periodic map.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
         Both bodies.
     depth : float
-        Up to which depth d [m] the springs are to be known.
+        Maximum depth d [m] of the springs.
     tolerance : float, optional
-        Maximum error of F, over the maximum F.  Contacts are computed until no convex curve through them, with their
-        stiffnesses for slopes, can be farther from another one.
+        Maximum error of F, over the maximum F.  Contacts are computed until all convex curves through their forces and
+        stiffnesses agree within this tolerance.
 
     Raises
     ------
@@ -109,10 +109,10 @@ class Reduction:
 
     @property
     def total(self) -> None:
-        """How many states `steps` yields is not known before."""
+        """Unknown: the number of states that `steps` yields depends on the tolerance."""
 
     def steps(self) -> Iterator[SurfaceState]:
-        """Yield the contacts that are computed: depths halve their distances where the force is too uncertain.
+        """Yield the computed contacts; depths are added where the force between them is too uncertain.
 
         Raises
         ------
@@ -161,7 +161,7 @@ class Reduction:
         return bed, (missed + max(float(np.max(force_uncertainty(points))), float(points.force[0]))) / most
 
     def gathered(self, states: Iterable[SurfaceState]) -> ReductionSolution:
-        """Return the solution made of these contacts, all or the first of them; its misfit is its error.
+        """Return the solution that consists of these contacts, all or the first of them.
 
         Raises
         ------
@@ -206,13 +206,13 @@ class ReductionSolution:
     problem : Reduction
         The problem that was solved.
     bed : DirectionalBed
-        The springs; `bed.scatter` is the root mean square by which they miss the computed forces [N].  They are sheared
-        along x, those of `bed.turned` along y.
+        The springs; `bed.scatter` is the root mean square deviation from the computed forces [N]. Shear forces act
+        along x, for `bed.turned` along y.
     misfit : float
         Bound on the difference between the forces of springs and map at any depth, over the maximum force. Both force
         curves are convex, which leaves little uncertainty between computed contacts.
     depth, force, stiffness : ndarray, (n,)
-        The contacts behind them [m], [N], [N/m].
+        The computed contacts: depth [m], force [N], stiffness [N/m].
     """
 
     problem: Reduction
@@ -279,7 +279,7 @@ def reduce(topography: Topography, medium: MappedMedium, depth: float, *, tolera
     Returns
     -------
     DirectionalBed
-        For problems that require no more than forces and depths, sheared along x; `turned` is sheared along y.
+        A foundation for problems that require only forces and depths. Shear forces act along x, for `turned` along y.
 
     Raises
     ------

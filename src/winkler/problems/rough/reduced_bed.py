@@ -40,7 +40,7 @@ class ReducedBed(DirectionalBed):
     Parameters
     ----------
     topography : Topography
-        A map that stands alone.
+        A non-periodic map.
     pressed_into : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
         Both bodies.
     depth : float
@@ -82,7 +82,7 @@ class ReducedBed(DirectionalBed):
 
     @property
     def footprint(self) -> UnknownOutline:
-        """Not known: spots of any outline."""
+        """Not known: the contact consists of spots of any outline."""
         return UNKNOWN_OUTLINE
 
     def __post_init__(self) -> None:

@@ -41,12 +41,12 @@ class RoughLine:
     heights : ndarray, (n,)
         [m], in any order.
     length : float
-        Of the line [m].
+        Length of the profiles [m].
     modulus : float
         E* [Pa], stiffness of the springs per length.
     stiffnesses : ndarray, (n,), optional
         Stiffness [N/m] of the first 1, 2, ..., n springs in contact, increasing; for layers, where the effective
-        modulus depends on the contact width.  In proportion to E* unless given.
+        modulus depends on the contact width.  Proportional to E* by default.
 
     Examples
     --------

@@ -58,13 +58,13 @@ class SurfaceConduction(PerLoad[Q]):
     Parameters
     ----------
     contact : SurfaceContact
-        How they are pressed together.
+        The mechanical contact.
     conductors : ElectricalConductors
-        What the bodies conduct, and the film between them; thick ones, plated or not.
+        Conductors of the bodies, thick and plated or not, and the film between them.
     realisations : int, optional
         Number of random profiles with the spectrum of the map that are pressed for comparison.
     seed : int, optional
-        Of the first of them.
+        Seed of the first random profile.
 
     Raises
     ------
@@ -100,7 +100,7 @@ class SurfaceConduction(PerLoad[Q]):
 
     @property
     def in_proportion(self) -> bool:
-        """Whether conductance is in proportion to stiffness: neither elastic layers nor platings."""
+        """Whether the conductance is proportional to the stiffness: no elastic layers and no platings."""
         plated = any(isinstance(body, Plated) for body in (self.conductors.first, self.conductors.second))
         return isinstance(self.contact.medium, HomogeneousMedium) and not plated
 
@@ -141,7 +141,7 @@ class SurfaceConduction(PerLoad[Q]):
         )  # fmt: skip
 
     def of_stiffness(self, stiffness: Quantity, film_excess: Quantity) -> Array:
-        """Return the resistance [ohm] that goes with a stiffness [N/m], film included; nan if not in proportion."""
+        """Return the resistance [ohm] for a stiffness [N/m], film included; nan if they are not proportional."""
         if not self.in_proportion:
             return np.full(np.shape(stiffness), math.nan)
         assert isinstance(self.contact.medium, HomogeneousMedium)
@@ -198,13 +198,13 @@ class SurfaceConductionSolution(PerLoad[Q]):
     contact : SurfaceContactSolution
         The contact by boundary elements.
     line : RoughContactSolution
-        That of lines with the same spectrum under the same forces.
+        The contact of random profiles with the same spectrum under the same forces.
     depth, force, stiffness : float or ndarray
-        Of the contact by boundary elements [m], [N], [N/m].
+        Results of boundary elements [m], [N], [N/m].
     line_stiffness : float or ndarray
-        dF/dd of the lines [N/m], their median.
+        Median of dF/dd of the random profiles [N/m].
     least_stiffness, greatest_stiffness : float or ndarray
-        Bounds of dF/dd [N/m]; the first is zero between elastic layers, the second infinite of a periodic map.
+        Bounds of dF/dd [N/m]; the first is zero for elastic layers, the second is infinite for a periodic map.
     film_excess : float or ndarray
         Additional resistance of the film [ohm]: its area resistance over the area of the pixels in contact, and the
         effect of spreading the current.
@@ -236,7 +236,7 @@ class SurfaceConductionSolution(PerLoad[Q]):
 
     @property
     def conductance(self) -> Q:
-        """1 / R [S] by boundary elements; infinite where a periodic map touches all over without a film."""
+        """1 / R [S] by boundary elements; infinite for full contact of a periodic map without a film."""
         with np.errstate(divide="ignore"):
             return shaped(1.0 / np.asarray(self.resistance, dtype=float))
 

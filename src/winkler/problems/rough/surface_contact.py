@@ -130,15 +130,15 @@ class SurfaceContact(PerLoad[Q]):
     Parameters
     ----------
     topography : Topography
-        Heights of both bodies together, up towards the other one; the medium is flat.  A non-periodic map ends at its
-        border like a punch; a periodic one repeats without end.
+        Sum of the heights of both bodies, positive towards the other body; the medium is flat.  A non-periodic map
+        ends at its border like a punch; a periodic one repeats without end.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, DepthGradedHalfSpace or GradedHalfSpace
         Both bodies.
     load : Force or Depth
-        What is prescribed, compression positive; an array is marched through as it comes, each load from the one
-        before.  Of a periodic map the force on one period.
+        The prescribed quantity, compression positive. The loads of an array are computed one after the other, each
+        from the solution before.  For a periodic map it is the force on one period.
     hardness : float, optional
-        Pressure [Pa] that is not exceeded; infinite (the default) of elastic bodies.
+        Upper limit of the pressure [Pa]; infinite (the default) for elastic bodies.
     tolerance : float, optional
         Maximum overlap over the depth, and pressure times gap over F d, at which a contact counts as solved.
 
@@ -204,7 +204,7 @@ class SurfaceContact(PerLoad[Q]):
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: one for every load."""
+        """Number of states that `steps` yields: one for every load."""
         return int(self._loads.size)
 
     def steps(self, arrays: ModuleType = np) -> Iterator[SurfaceState]:
@@ -264,7 +264,7 @@ class SurfaceContact(PerLoad[Q]):
             )  # fmt: skip
 
     def gathered(self, states: Iterable[SurfaceState]) -> SurfaceContactSolution[Q]:
-        """Return the solution made of these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its first part."""
         reached, shape = list(states), numbers_of(self.load).shape
         whole = len(reached) == math.prod(shape)
 
@@ -281,7 +281,7 @@ class SurfaceContact(PerLoad[Q]):
         Parameters
         ----------
         arrays : module, optional
-            As of `steps`.
+            As in `steps`.
 
         Raises
         ------
@@ -335,7 +335,7 @@ class SurfaceContactSolution(BelowSurface, PerLoad[Q]):
         return self.problem.medium
 
     def yield_force(self) -> float:
-        """Return the force [N] under which yielding begins, by contacts under other forces; infinite without strength.
+        """Return the force at the onset of yield [N]; infinite without a strength.
 
         Raises
         ------

@@ -189,7 +189,7 @@ class BelowSurface:
         Parameters
         ----------
         below : bool
-            In the first body; otherwise in the second.
+            Whether to search in the first body; otherwise the second is searched.
 
         Raises
         ------

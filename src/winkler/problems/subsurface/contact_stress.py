@@ -133,7 +133,8 @@ class ContactStress:
         InvalidInput
             If the contact has several loads.
         OutsideValidity
-            If the bodies do not touch, the stress is infinite at a sharp place, or an ellipse on layers is too slender.
+            If the bodies do not touch, the stress is infinite at a sharp edge or apex, or an ellipse on layers is too
+            slender.
         NotConverged
             If the pressures on layers are not found.
         """
@@ -167,9 +168,9 @@ class PartStress:
     part : int
         Which of the parts that deform it is, from the uppermost layer of the first body down, 1 the first.
     name : str
-        What it is called.
+        Name of the part.
     von_mises, von_mises_depth, max_shear, max_shear_depth, orthogonal_shear, orthogonal_shear_depth : float
-        [Pa] and [m], as of `ContactStressSolution`.
+        [Pa] and [m], as in `ContactStressSolution`.
     long_axis_shear, long_axis_shear_depth : float
         [Pa] and [m], the same.
     """
@@ -199,19 +200,22 @@ class ContactStressSolution:
     contact : IndentationSolution, EllipticSolution or LineSolution
         The contact.
     von_mises, von_mises_depth : float
-        Maximum von Mises stress [Pa], and where [m].
+        Maximum von Mises stress [Pa], and its depth [m].
     max_shear, max_shear_depth : float
-        Maximum shear stress [Pa], half the difference of the outermost principal stresses, and where [m].
+        Maximum shear stress [Pa], half the difference of the extreme principal stresses, and its depth [m].
     orthogonal_shear, orthogonal_shear_depth : float
-        Maximum shear stress in planes along the surface [Pa], and where [m]: of an ellipse along its shorter axis.
+        Maximum shear stress on planes parallel to the surface [Pa], and its depth [m]; for an ellipse the component
+        along the shorter axis.
     long_axis_shear, long_axis_shear_depth : float
         The same along the longer semi-axis, for a contact that rolls along it. For a round contact the values are
         equal; for a line contact the stress is zero and the depth is the half-width (limit of long ellipses on
         half-spaces).
     parts : tuple of PartStress
-        The same of each body, layer and base that deforms, from the uppermost layer of the first body down.
+        The same values for each deformable body, layer and base, in order from the uppermost layer of the first body
+        down.
     stress_error : float
-        Relative error of the stresses of an ellipse on layers, which pixels and sums over waves leave; zero of others.
+        Relative error of the stresses of an ellipse on layers, due to pixels and sums over waves; zero for other
+        contacts.
     """
 
     __words__ = words(
@@ -240,7 +244,7 @@ class ContactStressSolution:
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """How far the result can be trusted: the contact, and what pixels and sums over waves leave of stresses."""
+        """How far the result can be trusted: the contact, and the errors due to pixels and sums over waves."""
         if self.stress_error == 0.0:
             return self.contact.validity
         summed = Note(

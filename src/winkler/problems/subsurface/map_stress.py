@@ -32,7 +32,7 @@ class MapStress:
     Parameters
     ----------
     load : SurfaceLoad
-        What acts on the body.
+        The pressures and tractions on the body.
     solid : Elastic
         The body, a half-space.
 
@@ -63,7 +63,7 @@ class MapStress:
     assumptions: ClassVar[frozenset[Assumption]] = MAPPED
 
     def solve(self) -> MapStressSolution:
-        """Return the maximum stress and its place; the solution gives the stresses at all others."""
+        """Return the maximum stress and its position; the solution also computes stresses elsewhere."""
         spot = greatest_stress(self.load, self.solid)
         coarse = greatest_stress(self.load.halved(), self.solid)
         return MapStressSolution(
@@ -110,7 +110,7 @@ class MapStressSolution(BelowSurface):
 
     @property
     def surface_load(self) -> SurfaceLoad:
-        """What acts on the body."""
+        """The pressures and tractions on the body."""
         return self.problem.load
 
     @property
@@ -119,7 +119,7 @@ class MapStressSolution(BelowSurface):
 
     @property
     def yield_factor(self) -> float:
-        """By what all loads may be multiplied until yielding begins; infinite where the body has no strength."""
+        """Factor of all loads at which yielding begins [-]; infinite if the body has no strength."""
         return self.problem.solid.strength / self.von_mises if self.von_mises > 0.0 else math.inf
 
     @property

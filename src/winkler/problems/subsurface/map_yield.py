@@ -70,7 +70,7 @@ def history_yield_notes(
     medium
         Homogeneous bodies, layers, or a grading.
     lengths : ndarray, (2,)
-        Of the map [m].
+        Lengths of the map [m].
     heaviest : tuple of LoadedMap
         States among which the greatest stress is sought.
     count : int

@@ -45,11 +45,11 @@ class SurfaceLoad:
     lengths : array_like, (2,)
         Lengths [m] of the map along its two directions: pixels are lengths / (nx, ny).
     x_traction, y_traction : array_like, (nx, ny), optional
-        [Pa], with which the body is dragged along x and y; none by default.
+        Tractions on the body along x and y [Pa]; zero by default.
     corner : array_like, (2,), optional
-        Where the map begins, x0 and y0 [m]; both zero by default.
+        Position x0, y0 of the corner of the map [m]; zero by default.
     periodic : bool, optional
-        Whether the map is repeated for ever, or stands alone (the default), with no loads outside.
+        Whether the map is repeated without end, or is surrounded by a surface without loads (the default).
 
     Raises
     ------
@@ -124,7 +124,7 @@ class SurfaceLoad:
 
     @property
     def places(self) -> tuple[Array, Array]:
-        """Middles of the pixels along x and along y [m]."""
+        """Centres of the pixels along x and along y [m]."""
         nx, ny = self.pressure.shape
         x, y = self.corner
         return x + (np.arange(nx) + 0.5) * self.pixel[0], y + (np.arange(ny) + 0.5) * self.pixel[1]
@@ -148,12 +148,12 @@ class SurfaceLoad:
         return float(np.sum(part)) * self.pixel[0] * self.pixel[1]
 
     def field(self, poisson: float) -> MapField | PeriodicMapField:
-        """Return the field in a body of this Poisson's ratio."""
+        """Return the stress field in a body with this Poisson's ratio."""
         kind = PeriodicMapField if self.periodic else MapField
         return kind(self.loads, self.pixel, poisson)
 
     def reversed(self) -> SurfaceLoad:
-        """Return what acts on the other body, in the same axes along the surface: tractions change their sign."""
+        """Return the load on the other body in the same tangential axes: tractions change their sign."""
         return dataclasses.replace(self, x_traction=-self.x_traction + 0.0, y_traction=-self.y_traction + 0.0)
 
     def turned(self) -> SurfaceLoad:
@@ -163,7 +163,7 @@ class SurfaceLoad:
         )
 
     def halved(self) -> SurfaceLoad:
-        """Return the means over two by two pixels; a row that is left over stands with zeros."""
+        """Return the means over two by two pixels; an odd last row is padded with zeros."""
         nx, ny = (-(-n // 2) for n in self.pressure.shape)
         padded = np.zeros((3, 2 * nx, 2 * ny))
         padded[:, : self.pressure.shape[0], : self.pressure.shape[1]] = self.loads

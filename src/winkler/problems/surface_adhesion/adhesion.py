@@ -71,14 +71,14 @@ class SurfaceAdhesion:
         Both bodies.  If the surface of a body has another modulus than the material below, the cohesive zone follows
         from the surface modulus.
     law : ShortRange, Dugdale, ExponentialAttraction or LennardJones
-        What attracts them.  ShortRange (JKR) is replaced by an exponential law with the shortest range that the pixels
-        resolve. Dugdale's stress decreases over 0.8 of its range instead of at once.
+        Law of attraction. ShortRange (JKR) is replaced by an exponential law with the shortest range that the pixels
+        resolve. The stress of Dugdale's law decreases gradually over 0.8 of its range, not in a step.
     path : Depth
-        Displacements d [m] in sequence. Zero is first touch of the highest point without deformation (under
-        `LennardJones` at its equilibrium spacing); negative values are separations.  The bodies are brought to the
-        first one from apart.
+        Displacements d [m] in sequence. Zero is the first touch of the highest point without deformation (for
+        `LennardJones` at the equilibrium spacing); negative values are separations. The bodies approach the first
+        displacement from a large separation.
     tolerance : float, optional
-        Maximum traction out of balance over the maximum traction at which a state counts as solved.
+        Maximum residual traction over the maximum traction for which a state counts as solved.
 
     Raises
     ------
@@ -123,7 +123,7 @@ class SurfaceAdhesion:
         self.on_grid()
 
     def on_grid(self) -> AttractionOnGrid:
-        """Return the law as it is solved on this grid.
+        """Return the law that is used on this grid.
 
         Raises
         ------
@@ -134,12 +134,12 @@ class SurfaceAdhesion:
 
     @property
     def tabor(self) -> float:
-        """Tabor's parameter of a ball as curved as the map, root mean square, under the law as it is solved [-]."""
+        """Tabor's parameter [-] for a ball with the rms curvature of the map, with the law used on the grid."""
         return tabor_of_map(self.topography, self.medium.modulus, self.on_grid())
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: one for every displacement."""
+        """Number of states that `steps` yields: one for every displacement."""
         return int(numbers_of(self.path).size)
 
     def steps(self) -> Iterator[SurfaceAdhesionState]:
@@ -150,7 +150,7 @@ class SurfaceAdhesion:
         InvalidInput
             If the map needs more memory than is free.
         NotConverged
-            If no state of rest is found to the tolerance.
+            If no equilibrium is found to the tolerance.
         """
         rough, modulus, on_grid = self.topography, self.medium.modulus, self.on_grid()
         state_memory(rough.heights.shape, rough.periodic, "SurfaceAdhesion", memory_of(rough))
@@ -198,7 +198,7 @@ class SurfaceAdhesion:
             )  # fmt: skip
 
     def pull_off_without_range(self) -> PullOffWithoutRange:
-        """Return the pull-off force of `ShortRange` without range (JKR), by two short ranges on this path.
+        """Return the pull-off force in the limit of zero range (JKR), extrapolated from two short ranges.
 
         Raises
         ------
@@ -207,7 +207,7 @@ class SurfaceAdhesion:
         NotConverged
             As `steps`.
         OutsideValidity
-            If the shorter range has a Tabor number below two on a ball as curved as the map.
+            If Tabor's parameter for the shorter range is below two for a ball with the curvature of the map.
         """
         rough = self.topography
         laws = two_ranges(self.law, self.medium.modulus, rough.pixel)
@@ -217,7 +217,7 @@ class SurfaceAdhesion:
         return limit_of_two(laws, [greatest_pull(each.depth, each.force) for each in found], cut)
 
     def gathered(self, states: Iterable[SurfaceAdhesionState]) -> SurfaceAdhesionSolution:
-        """Return the solution made of these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its first part."""
         reached = tuple(states)
         tightest = min(reached, key=lambda state: state.force)
         jumps = tuple(jump for state in reached for jump in state.jumps)
@@ -247,7 +247,7 @@ class SurfaceAdhesionSolution(MapAdhesion[Array], Looped):
     tightest : SurfaceAdhesionState
         The contact at the displacement with the lowest force.
     jumps : tuple of SurfaceJump
-        In the order of the path.
+        All jumps in the order of the path.
     """
 
     __words__ = words(
@@ -268,7 +268,7 @@ class SurfaceAdhesionSolution(MapAdhesion[Array], Looped):
 
     @property
     def pull_off_force(self) -> float:
-        """The lowest force [N]: below it a dead load tears the bodies apart."""
+        """The lowest force [N]: the bodies separate under a dead load below this force."""
         return float(np.min(self.force))
 
     @property

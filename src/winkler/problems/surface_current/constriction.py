@@ -52,18 +52,19 @@ class SurfaceConstriction(PerLoad[Q]):
     Parameters
     ----------
     contact : SurfaceContact
-        How they are pressed together; with a hardness, partly plastic.
+        The mechanical contact; with a `hardness` it is partly plastic.
     conductors : ElectricalConductors
-        What the bodies conduct, and the film between them; thick bodies, plated or not.
+        Conductors of the bodies, thick and plated or not, and the film between them.
     drive : Current or Voltage
         Prescribed current or voltage; if several voltages give the same current, the lowest is returned.
     law : WiedemannFranz, optional
-        How heat and current conduction go together; with Sommerfeld's Lorenz number unless given.
+        Relation between thermal and electrical conductivity; by default with Sommerfeld's Lorenz number.
     temperature : float, optional
-        T_0 of both bodies far from the contact [K], positive; 293.15 K unless given.
+        T_0 of both bodies far from the contact [K], positive; 293.15 K by default.
     softening_temperature, melting_temperature : float, optional
-        Of the softer, or first melting, metal [K], above `temperature`; infinite (the default) if they are not asked
-        for.  Holm states about 373 K and 1336 K for gold, 453 K and 1233 K for silver, 463 K and 1356 K for copper.
+        Temperatures of the metal that softens or melts first [K], above `temperature`; infinite (the default) if not
+        required.  Holm states about 373 K and 1336 K for gold, 453 K and 1233 K for silver, 463 K and 1356 K for
+        copper.
     mean_free_path : float, optional
         Mean free path of the electrons [m]; a note states the resulting error of the resistance.
 
@@ -145,8 +146,8 @@ class SurfaceConstriction(PerLoad[Q]):
         NotConverged
             If a contact is not solved to its tolerance, or its current not found.
         OutsideValidity
-            If no voltage drives the current through the ever hotter contact, or the pixels are too coarse for the
-            platings.
+            If the contact cannot carry the current at any voltage, because its resistance rises with temperature, or
+            the pixels are too coarse for the platings.
         """
         rough = self.contact.topography
         bodies, film = (self.conductors.first, self.conductors.second), self.conductors.film.area_resistance
@@ -236,20 +237,21 @@ class SurfaceConstrictionSolution(PerLoad[Q]):
         Voltage over current [ohm], and the value without heating. For a periodic map: that of one period, in addition
         to the same bodies in full contact without film.
     first_constriction, second_constriction : float or ndarray
-        What the constriction costs in either body, cold, platings included [ohm].
+        Constriction resistance of each body without heating, platings included [ohm].
     film_resistance : float or ndarray
         Area resistance of the film over the area of the pixels in contact [ohm].
     bare_constriction : float or ndarray
-        What the same spots would cost in both bodies without platings and film [ohm].
+        Constriction resistance of the same spots in both bodies, without platings and film [ohm].
     current, voltage, film_voltage : float or ndarray
         I [A]; V [V] between the ends, and over the film.
     contact_temperature, max_temperature : float or ndarray
-        T_c [K] of the contact, between different platings that at the mean voltage of the current; and maximum
-        temperature T_max [K].
+        T_c [K] of the contact (for different platings at the mean voltage of the current), and maximum temperature
+        T_max [K].
     coldest_contact_temperature, hottest_contact_temperature : float or ndarray
-        T_c [K] of the pixels in contact, which differ between unlike platings.
+        Minimum and maximum T_c [K] of the pixels in contact, which differ for different platings.
     softening_voltage, softening_current, melting_voltage, melting_current : float or ndarray
-        At which the hottest place has the temperature stated [V], [A]; infinite if none was stated.
+        Voltage [V] and current [A] at which the hottest point has the given temperature; infinite without a given
+        temperature.
     """
 
     __words__ = words(
@@ -286,13 +288,13 @@ class SurfaceConstrictionSolution(PerLoad[Q]):
 
     @property
     def conductance(self) -> Q:
-        """1 / R [S]; infinite where a periodic map touches all over without a film."""
+        """1 / R [S]; infinite for full contact of a periodic map without a film."""
         with np.errstate(divide="ignore"):
             return shaped(1.0 / np.asarray(self.resistance, dtype=float))
 
     @property
     def constriction(self) -> Q:
-        """What the constriction costs in both bodies, cold [ohm]."""
+        """Constriction resistance of both bodies without heating [ohm]."""
         return shaped(np.asarray(self.first_constriction) + self.second_constriction)
 
     @property
@@ -304,7 +306,7 @@ class SurfaceConstrictionSolution(PerLoad[Q]):
 
     @property
     def rise(self) -> Q:
-        """By how much the hottest place is hotter than the bodies [K]."""
+        """Temperature rise of the hottest point above that of the bodies [K]."""
         return shaped(self.max_temperature - self.problem.temperature)
 
     @property

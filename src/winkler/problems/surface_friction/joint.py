@@ -57,14 +57,14 @@ class JointStiffness(PerLoad[Q]):
     Parameters
     ----------
     topography : Topography
-        Heights of both surfaces together, up towards the other one.  A periodic map is a part of a wide joint: per
-        area, stiffnesses and losses are those of the joint.
+        Sum of the heights of both surfaces, positive towards the other body.  A periodic map represents a wide joint,
+        with the same stiffness and dissipated energy per area.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace or DepthGradedHalfSpace
         Both bodies.
     law : Coulomb
-        Friction; its coefficient positive and finite.
+        Friction; its coefficient must be positive and finite.
     load : Force
-        Normal force, compression positive, one or many; of a periodic map on one period.
+        Normal force, compression positive, one or several; for a periodic map the force on one period.
     share : ndarray, (amplitudes,), optional
         Amplitudes of the shear force along x under the last normal force, increasing, over the friction limit; between
         0.01 and 0.99.
@@ -127,7 +127,7 @@ class JointStiffness(PerLoad[Q]):
         return SurfaceContact(self.topography, self.medium, load)
 
     def solve(self) -> JointStiffnessSolution[Q]:
-        """Return stiffnesses under every normal force, and the loops under the last one.
+        """Return stiffnesses under every normal force, and friction loops under the last one.
 
         Raises
         ------
@@ -189,15 +189,15 @@ class JointStiffnessSolution(PerLoad[Q]):
     force, nominal_pressure, depth, area : float or ndarray
         F_N [N], the force over the area of the map [Pa], d [m] and the contact area [m^2].
     stiffness, stiffness_x, stiffness_y : float or ndarray
-        K_z, K_x, K_y [N/m]: of the contact moved as a whole, without slip.
+        K_z, K_x, K_y [N/m]: stiffnesses for rigid displacements of the whole contact, without slip.
     disc_stiffness : float or ndarray
-        Along the surface [N/m], of the disc that is as stiff across: Mindlin's ratio times K_z.
+        Tangential stiffness of the disc with the same normal stiffness [N/m]: Mindlin's ratio times K_z.
     share, shear_amplitude : ndarray, (amplitudes,)
         Amplitudes of the shear force along x under the last normal force, over the friction limit and in N.
     shift_amplitude, loss_per_cycle : ndarray, (amplitudes,)
-        Of the loops by boundary elements with friction [m], [J].
+        Amplitude [m] and dissipated energy [J] of the loops by boundary elements with friction.
     spring_shift, spring_loss : ndarray, (amplitudes,)
-        Of the same loops from the stiffnesses alone [m], [J].
+        The same for the loops by springs, which follow from the stiffnesses alone [m], [J].
     spring_forces, spring_stiffnesses : ndarray, (contacts,)
         Normal forces F' [N] up to the last one and K_x [N/m] under them, which define the springs.
     loop : SurfaceTangentialSolution
@@ -275,11 +275,11 @@ class JointStiffnessSolution(PerLoad[Q]):
 
     @property
     def loss_factor(self) -> Array:
-        """Loss per cycle over pi times the amplitudes of shift and shear force [-], ``(amplitudes,)``."""
+        """Dissipated energy over pi times the amplitudes of displacement and force [-], ``(amplitudes,)``."""
         return np.asarray(loss_factor(self.loss_per_cycle, self.shift_amplitude, self.shear_amplitude))
 
     def slip_loop(self, amplitude: int = -1, count: int = 60) -> tuple[Array, Array]:
-        """Return shift [m] and shear force [N] of the closed loop of one amplitude by springs, ``(2 count,)``."""
+        """Return displacement [m] and shear force [N] of the loop by springs for one amplitude, ``(2 count,)``."""
         friction, most = self.problem.law.coefficient, float(self.share[amplitude])
         half = np.linspace(0.0, most, count)
         moved = loops_of_stiffness(self.spring_forces, self.spring_stiffnesses, friction, half[1:]).shift
@@ -299,7 +299,7 @@ class JointStiffnessSolution(PerLoad[Q]):
 
     @property
     def validity(self) -> tuple[Note, ...]:
-        """What stiffnesses and loops leave out, and how far springs and discs are off; the notes of the loops."""
+        """The limits of stiffnesses and loops, the errors of springs and discs, and the notes of the loops."""
         finite = np.isfinite(np.asarray(self.stiffness))
         ratios = np.stack(
             [np.ravel(np.asarray(part)[finite]) for part in (self.ratio_x, self.ratio_y, self.disc_ratio)]

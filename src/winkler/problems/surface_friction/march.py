@@ -113,7 +113,7 @@ class MapRow(Row[MapGoal, MapPlaces]):
     course : RelaxationSeries or RelaxingByWaves
         By what their moduli are multiplied in the course of time; or layers that relax each by a law of its own.
     law : Coulomb, LinearSlipWeakening or ExponentialSlipWeakening
-        Friction.
+        Law of friction.
     by_force : ndarray of bool, (3,)
         Of which motions along x, along y and about the middle the force is given.
     tolerance : float

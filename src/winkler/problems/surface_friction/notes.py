@@ -53,7 +53,7 @@ def surface_shear_notes(
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace or DepthGradedHalfSpace
         Both bodies.
     law : Coulomb, LinearSlipWeakening or ExponentialSlipWeakening
-        Friction.
+        Law of friction.
     blurred : float
         Error of the area of contact over the area, the greatest of all points.
     force, penetration, misfit : ndarray, (points,)

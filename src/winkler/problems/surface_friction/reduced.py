@@ -55,15 +55,15 @@ class ReducedFriction:
     Parameters
     ----------
     topography : Topography
-        A map that stands alone.
+        A non-periodic map.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace or DepthGradedHalfSpace
         Both bodies.
     law : Coulomb
-        Friction.
+        Law of friction.
     depth : float
-        Up to which depth d [m] the springs are to be known; there they are compared.
+        Maximum depth d [m] of the springs, at which they are compared with boundary elements.
     tolerance : float, optional
-        As of `Reduction`.
+        As in `Reduction`.
 
     Raises
     ------
@@ -128,7 +128,7 @@ class ReducedFriction:
         return Tangential(bed, self.law, Path.through(Depth(self.depth), ShearForce(most * np.array(SHARES))))
 
     def solve(self) -> ReducedFrictionSolution:
-        """Return the springs, and both loops by springs and by boundary elements.
+        """Return the springs, and both friction loops by springs and by boundary elements.
 
         Raises
         ------
@@ -184,7 +184,7 @@ class ReducedFrictionSolution:
 
     @property
     def bed(self) -> DirectionalBed:
-        """The springs, sheared along x, which state their error; those of `bed.turned` are sheared along y."""
+        """The springs for shear along x, with a note on their error; `bed.turned` is for shear along y."""
         return dataclasses.replace(self.reduction.bed, shift_error=self.shift_error, loss_error=self.loss_error)
 
     @property
@@ -194,12 +194,12 @@ class ReducedFrictionSolution:
 
     @property
     def shear_force(self) -> Array:
-        """The shear force of the loop [N], ``(points,)``, along x in the one and along y in the other."""
+        """The shear force of both loops [N], ``(points,)``, along x and along y."""
         return self.along.shear_force_x
 
     @property
     def shift(self) -> Array:
-        """(u_x, u_y) [m] by boundary elements, ``(points, 2)``: of the loop along x, and of the one along y."""
+        """(u_x, u_y) [m] by boundary elements, ``(points, 2)``, of the loops along x and along y."""
         return np.stack((self.along.shift_x, self.across.shift_y), axis=1)
 
     @property
@@ -229,15 +229,15 @@ class ReducedFrictionSolution:
 
     @property
     def shift_error(self) -> float:
-        """Maximum difference of a shift over the maximum shift [-], and a tenth, and the misfit of forces."""
+        """Error of displacements [-]: 1.1 times the maximum relative difference, plus the misfit of forces."""
         pairs = zip(self.shift.T, self.spring_shift.T, strict=True)
         return BETWEEN * max(loop_difference(elements, springs) for elements, springs in pairs) + self.reduction.misfit
 
     @property
     def loss_error(self) -> float:
-        """Maximum difference of a loss over the maximum loss [-], and a tenth, and the misfit of forces thrice.
+        """Error of the dissipation [-]: 1.1 times the maximum relative difference, plus 3 times the force misfit.
 
-        Losses of partial slip grow with the third power of the shear force.
+        The dissipated energy in partial slip is proportional to the third power of the shear force.
         """
         loops = (self.along, self.springs_along), (self.across, self.springs_across)
         missed = max(loop_difference(elements.dissipation, springs.dissipation) for elements, springs in loops)

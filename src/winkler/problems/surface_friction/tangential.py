@@ -53,20 +53,20 @@ class SurfaceTangential:
     Parameters
     ----------
     topography : Topography
-        Heights of both bodies together, up towards the other one; the medium is flat.  `SampledProfile` makes one of a
-        ball, an ellipse or another profile.
+        Sum of the heights of both bodies, positive towards the other body; the medium is flat.  `SampledProfile` makes
+        one of a ball, an ellipse or another profile.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, StackedHalfSpace or DepthGradedHalfSpace
         Both bodies.  For layers normal displacements due to tractions are neglected.  Viscoelastic bodies need one
         common relaxation function (ViscoelasticHalfSpace or RelaxingInProportion). The load history begins with the
         first point of the path; a first load that is not zero is applied in one step.
     law : Coulomb, LinearSlipWeakening or ExponentialSlipWeakening
-        Friction; each pixel has the coefficient that belongs to its own path of slip.
+        Law of friction; the coefficient of each pixel depends on its own slip distance.
     path : Path
-        Depth or normal force, and shift, shear force, angle or torque, over time.  Of a shift or a shear force with one
-        component the other one is zero.
+        Depth or normal force, and shift, shear force, angle or torque, over time.  If a displacement or shear force
+        has one component, the other is zero.
     twist : Angle or Torque, optional
         Relative rotation of the bodies in addition to a displacement or shear force, about the middle of the map,
-        anticlockwise positive. One number, or one for each point of the path.  They do not turn unless given.
+        anticlockwise positive. One number, or one for each point of the path.  The default is no rotation.
     tolerance : float, optional
         Maximum `SurfaceShearState.misfit` at which stick and slip count as solved.
 
@@ -159,7 +159,7 @@ class SurfaceTangential:
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: one for every point of the path."""
+        """Number of states that `steps` yields: one for every point of the path."""
         return int(self.path.time.size)
 
     def _motions(self) -> tuple[Array, Array]:
@@ -198,7 +198,7 @@ class SurfaceTangential:
         yield from map(row.state, follow(row, map(MapGoal, self.path.time.tolist(), drives, motions)))
 
     def gathered(self, states: Iterable[SurfaceShearState]) -> SurfaceTangentialSolution:
-        """Return the solution made of these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its first part."""
         found = gathered_maps(states, SurfaceTangentialSolution)
         return SurfaceTangentialSolution(problem=self, **found.columns, **found.maps)
 
@@ -224,9 +224,9 @@ class SurfaceTangentialSolution(MapSlip[Array], Looped, LastMap):
     last : SurfaceShearState
         The contact at the end of the path, with its maps of pressure, traction and slip.
     heaviest : tuple of LoadedMap
-        The states among which the maximum stress of the whole path is sought.
+        The states that are searched for the maximum stress of the whole path.
     frames : tuple of TractionFrame
-        What touches, sticks and slips in states along the history.
+        Contact, stick and slip zones of states along the history.
     """
 
     __words__ = words(

@@ -78,7 +78,7 @@ def shear_weakened(
     grid
         The surface.
     law
-        Friction.
+        Law of friction.
     pressure
         p / E*, (nx, ny).
     slip_path

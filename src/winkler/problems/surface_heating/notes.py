@@ -28,7 +28,7 @@ def passing_note(rolled: SurfaceRollingState) -> Note:
         Assumption.CONDUCTION,
         standing_of(0.25 * creepage, SMALL_CREEPAGE, LARGE_CREEPAGE),
         f"Both bodies are assumed to pass the contact at the rolling speed. The slip velocity is {creepage:.2g} "
-        f"of it. The difference of speeds may change each body's share of the heat by {25.0 * creepage:.2g} per cent.",
+        f"of this speed. The slip may change each body's share of the heat by {25.0 * creepage:.2g} per cent.",
         JAEGER,
         0.25 * creepage,
     )

@@ -36,7 +36,7 @@ class HeatedPatch(NamedTuple):
     pressure
         p [Pa].
     places
-        Middles of the pixels along x and along y [m].
+        Centres of the pixels along x and along y [m].
     bulk
         Temperatures of the bodies far away [K].
     exchanged

@@ -53,7 +53,7 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
         Pressures and tractions on the first body: mu p along x if the second body slides over it towards +x. Or a
         rolling problem with one or more creepages.
     conductors : HeatConductors
-        How the bodies conduct heat: two thick bodies of ThermalConductor, a perfect touch between them.
+        Thermal conductors of the bodies: two thick bodies of ThermalConductor, in perfect thermal contact.
     first_speed, second_speed : float, optional
         Velocities along x at which the surfaces pass the contact [m/s], for a SurfaceLoad; by default the bodies are at
         rest.  Bodies that roll have the speed of their SurfaceRolling.
@@ -154,19 +154,19 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: one for every creepage."""
+        """Number of states that `steps` yields: one for every creepage."""
         return self.contact.total if isinstance(self.contact, SurfaceRolling) else 1
 
     @property
     def speeds(self) -> tuple[float, float]:
-        """Velocities along x [m/s] at which the surfaces pass the contact; of bodies that roll that of rolling."""
+        """Velocities along x [m/s] at which the surfaces pass the contact; for rolling bodies the rolling speed."""
         if isinstance(self.contact, SurfaceRolling):
             return -self.contact.speed, -self.contact.speed
         return self.first_speed, self.second_speed
 
     @property
     def places(self) -> tuple[Array, Array]:
-        """Middles of the pixels along x and along y [m]; of bodies that roll from the middle of the map."""
+        """Centres of the pixels along x and along y [m]; for rolling bodies relative to the middle of the map."""
         if isinstance(self.contact, SurfaceLoad):
             return self.contact.places
         rough = self.contact.topography
@@ -191,14 +191,14 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
             yield rolled.pressure, self.contact.speed * _lost(rolled), rolled
 
     def steps(self) -> Iterator[SurfaceHeatState]:
-        """Yield the temperatures, of bodies that roll under every creepage.
+        """Yield the temperatures, for rolling bodies at every creepage.
 
         Raises
         ------
         OutsideValidity
             If the contact reaches the border of a map that rolls, or a Peclet number is above 1e8.
         NotConverged
-            If stick and slip are not found, or temperatures that agree.
+            If the iteration for stick and slip or for the temperatures does not converge.
         """
         patch: HeatedPatch | None = None
         touching = np.zeros(0, dtype=bool)
@@ -229,7 +229,7 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
         )
 
     def solve(self) -> SurfaceFrictionHeatingSolution[Q]:
-        """Return how warm the surfaces get.
+        """Return the temperatures of the surfaces.
 
         Raises
         ------
@@ -310,7 +310,7 @@ class SurfaceFrictionHeatingSolution(PerLoad[Q]):
         """Frictional power [W]: forces and moment times creepages and speed; for sliding bodies traction times
         velocity.
 
-        It is `heat_rate`, up to the error of the pixels.
+        It equals `heat_rate` within the error of the pixels.
         """
         if isinstance(self.contact, SurfaceLoad):
             return self.heat_rate

@@ -37,7 +37,7 @@ NO_SPIN: Any = Spin(0.0)
 
 @value
 class CreepForce(PerLoad[Q]):
-    """Prescribed forces of a rolling pair; the creepages are computed.
+    """Prescribed forces on a rolling pair, for which the creepages are computed.
 
     Parameters
     ----------
@@ -49,12 +49,12 @@ class CreepForce(PerLoad[Q]):
         Rotation of the pair about the normal: a given spin, or a moment M_z [N m] about the middle of the map whose
         spin is computed.
 
-    All may be arrays, of shapes that fit each other; the results then have the common shape.
+    All arguments may be arrays whose shapes broadcast; the results have the common shape.
 
     Raises
     ------
     InvalidInput
-        If a number is not finite, or the shapes do not fit.
+        If a number is not finite, or the shapes do not broadcast.
 
     Examples
     --------

@@ -105,7 +105,7 @@ class CreepSearch:
     by_force : ndarray of bool, (3,)
         Which of F_x, F_y, M_z are given instead of xi, eta, phi.
     friction : Coulomb or FallingFriction
-        Friction.
+        Law of friction.
     speed : float
         Of rolling [m/s].
     tolerance : float

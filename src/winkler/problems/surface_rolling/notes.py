@@ -45,7 +45,7 @@ def surface_rolling_notes(
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace or DepthGradedHalfSpace
         Both bodies.
     friction : Coulomb or FallingFriction
-        Friction.
+        Law of friction.
     pressure : ndarray, (nx, ny)
         [Pa].
     misfit : float or ndarray
@@ -56,15 +56,15 @@ def surface_rolling_notes(
     touching = pressure > 0.0
     area, error = contact_area(touching, rough.pixel, False)
     across = int(np.max(np.count_nonzero(touching, axis=0)))
-    met = " Prescribed forces are met within this fraction of mu F_N. Along" if forced else " Along"
+    met = " The error of prescribed forces is at most this fraction of mu F_N. Along" if forced else " Along"
     bodies = "Half-spaces" if isinstance(medium, HomogeneousMedium) else "Layered or graded bodies"
     law = Note(
         Assumption.SLIP,
         standing_left(float(np.max(misfit)), Standing.ASYMPTOTIC),
-        f"{bodies} roll on each other, with {named(friction)} in each pixel. The residual of the solution is "
-        f"{float(np.max(misfit)):.1g} of the energy dissipated at full sliding.{met} the rolling direction there "
-        f"are {across} pixels. The error of the forces is proportional to the pixel size: about 0.5 % of mu F_N "
-        "with 40 pixels.",
+        f"{bodies} roll on each other, with {named(friction)} in each pixel. The residual of the law of "
+        f"friction is {float(np.max(misfit)):.1g} of the energy dissipated at full sliding.{met} the rolling direction there "
+        f"are {across} pixels. The error of the forces is proportional to the pixel size. With 40 pixels "
+        "it is about 0.5 % of mu F_N.",
         KALKER,
     )
     steady = Note(

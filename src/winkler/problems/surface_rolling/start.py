@@ -53,12 +53,12 @@ class SurfaceRollingStart:
     Parameters
     ----------
     topography, medium, load, friction : Topography, MappedMedium, Force or Depth, Coulomb
-        As of `SurfaceRolling`.
+        As in `SurfaceRolling`.
     drive : ShearForce, CreepForce or Creepage
         The constant load during rolling: a force F_x, or (F_x, F_y), applied before rolling, also with a spin or
         moment; or creepages, from rest without a shear force.
     distance : float
-        How far the contact rolls [m]; a state for each pixel.
+        Rolling distance [m]; one state for each pixel.
     tolerance : float, optional
         Maximum `SurfaceRollingStartState.misfit` at which a step counts as solved.
 
@@ -108,7 +108,7 @@ class SurfaceRollingStart:
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: one at rest, and one for each pixel."""
+        """Number of states that `steps` yields: one at rest, and one for each pixel."""
         return 1 + math.ceil(min(self.distance / self.topography.pixel[0] * (1.0 - 1e-12), MOST_PIXELS))
 
     def steps(self) -> Iterator[SurfaceRollingStartState]:
@@ -202,9 +202,9 @@ class SurfaceRollingStartSolution(MapRollingStart[Array], LastMap):
     last : SurfaceRollingStartState
         The contact at the end, with its maps.
     heaviest : tuple of LoadedMap
-        The states among which the maximum stress of the whole distance is sought.
+        The states that are searched for the maximum stress of the whole distance.
     frames : tuple of TractionFrame
-        What touches, sticks and slips in states along the history.
+        Contact, stick and slip zones of states along the history.
     """
 
     __words__ = words(

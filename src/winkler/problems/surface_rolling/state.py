@@ -66,7 +66,7 @@ class SurfaceRollingState(MapRolling[float]):
     creep : ndarray, (2, nx, ny)
         Slip of the second body over the first per distance rolled [-], where they touch.
     slipping : ndarray of bool, (nx, ny)
-        Which pixels slip.
+        Whether the pixel slips.
     """
 
     __words__ = words(

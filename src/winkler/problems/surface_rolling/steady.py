@@ -51,18 +51,18 @@ class SurfaceRolling(PerLoad[Q]):
     Parameters
     ----------
     topography : Topography
-        Heights of both bodies together, up towards the other one, as seen from the contact: they do not pass with the
-        material.  It stands alone; `SampledProfile` makes one of curved bodies.
+        Sum of the heights of both bodies, positive towards the other body. The map is fixed in the contact: it does
+        not move with the material.  The map is not periodic; `SampledProfile` makes one for curved bodies.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, StackedHalfSpace or DepthGradedHalfSpace
         Both bodies. For dissimilar half-spaces the tangential displacements due to pressure and the normal
         displacements due to traction are included.  For layers normal displacements due to tractions are neglected.
     load : Force or Depth
         One positive number.
     friction : Coulomb or FallingFriction
-        A coefficient that is positive and finite, or one that falls with the velocity of slip.
+        A positive, finite coefficient, or one that decreases with the slip velocity.
     drive : Creepage, CreepForce or ShearForce
         Creepages and spin; or forces F_x and F_y with the spin or the moment, also arrays; or a shear force F_x, or
-        (F_x, F_y), without spin.  Spin and moment turn about the middle of the map.
+        (F_x, F_y), without spin.  Spin and moment refer to the middle of the map.
     tolerance : float, optional
         Maximum `SurfaceRollingState.misfit` at which a contact counts as solved.
     speed : float, optional
@@ -125,7 +125,7 @@ class SurfaceRolling(PerLoad[Q]):
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: one for every creepage or force."""
+        """Number of states that `steps` yields: one for every creepage or force."""
         return len(given_of(self.drive).numbers)
 
     def steps(self) -> Iterator[SurfaceRollingState]:
@@ -220,9 +220,9 @@ class SurfaceRollingSolution(MapRolling[Q], LastMap):
     last : SurfaceRollingState
         The last contact, with its maps of pressure, traction and slip.
     heaviest : tuple of LoadedMap
-        The states among which the maximum stress of all cases is sought.
+        The states that are searched for the maximum stress of all cases.
     frames : tuple of TractionFrame
-        What touches, sticks and slips in states along the history.
+        Contact, stick and slip zones of states along the history.
     """
 
     __words__ = words(

@@ -55,7 +55,7 @@ class SurfaceWear:
     contact : SurfaceContact
         The map before wear and its load: one force, or one constant depth.
     wear : Archard
-        How fast the map wears.
+        Law of wear of the map.
     distance : float or ndarray, (steps,)
         Sliding distances [m] after which the contact is returned, summed over both directions; one number gives 41
         states up to it.
@@ -116,12 +116,12 @@ class SurfaceWear:
 
     @property
     def goals(self) -> Array:
-        """After which distances the contact is returned [m], ``(steps,)``."""
+        """Distances at which the contact is returned [m], ``(steps,)``."""
         return goals_of("SurfaceWear", "distance", " in m", self.distance)
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: one for each of `goals`."""
+        """Number of states that `steps` yields: one for each of `goals`."""
         return int(self.goals.size)
 
     def _surface(self) -> WornMap:
@@ -140,13 +140,13 @@ class SurfaceWear:
         Parameters
         ----------
         start : SurfaceWearState, optional
-            A state of this problem, or of the same one with other distances, from an earlier run. The computation
-            continues from it, with the same numbers as without interruption.
+            A state from an earlier run of this problem, also with other distances. The computation continues from it,
+            with the same numbers as without interruption.
 
         Raises
         ------
         InvalidInput
-            If the state is of another map.
+            If the state belongs to another map.
         NotConverged
             If a contact is not solved to its tolerance, or steps become too short.
         OutsideValidity
@@ -202,7 +202,7 @@ class SurfaceWear:
         )  # fmt: skip
 
     def gathered(self, states: Iterable[SurfaceWearState]) -> SurfaceWearSolution:
-        """Return the solution made of these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its first part."""
         first = last = None
         rows: list[list[float]] = []
         names = [field.name for field in dataclasses.fields(MapWear)]
@@ -257,7 +257,7 @@ class SurfaceWearSolution(MapWear[Array]):
         return np.divide(self.force, self.area, out=np.zeros_like(self.force), where=self.area > 0.0)
 
     def worn_topography(self) -> Topography:
-        """Return the map as the last state leaves it, its heights counted as those before wear."""
+        """Return the worn map of the last state; its heights have the same reference as before wear."""
         rough = self.problem.contact.topography
         return Topography(rough.heights - self.last.worn, rough.lengths, rough.periodic)
 

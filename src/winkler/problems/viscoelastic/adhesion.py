@@ -107,19 +107,19 @@ MACHINE_STIFFNESS_RANGE = POSITIVE_OR_INFINITE._replace(demand="it must be posit
 
 @value
 class ViscoelasticAdhesion:
-    """Adhesive contact with rubber, pressed on and pulled off along a path.
+    """Adhesive contact with a viscoelastic body, pressed and pulled off along a path.
 
     The bodies are initially apart and approach slowly up to the first point of the path.
 
     Parameters
     ----------
     bed : Bed
-        Foundation(profile, medium); a medium that relaxes counts as relaxed, and RelaxingInProportion must state the
-        moduli of that state.
+        Foundation(profile, medium). A viscoelastic medium is assumed fully relaxed; RelaxingInProportion must contain
+        the relaxed moduli.
     law : RateDependentWork or SaturatingWork
         The work of opening as a function of the speed.
     path : Path
-        Positions of the far end of the machine over time, Path(time, Depth([...])).
+        Positions of the drive of the machine over time, Path(time, Depth([...])).
     machine_stiffness : float, optional
         k_m [N/m] of the spring between the drive and the contact; infinite for fixed grips. A soft spring is almost a
         dead load.
@@ -203,7 +203,7 @@ class ViscoelasticAdhesion:
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: one for every point of the path."""
+        """Number of states that `steps` yields: one for every point of the path."""
         return self.path.time.size
 
     def steps(self) -> Iterator[ViscoelasticAdhesionState]:
@@ -215,7 +215,7 @@ class ViscoelasticAdhesion:
             If the contact grows beyond the known range of the profile or is not a disc. The error is raised at that
             step, after all earlier states.
         NotConverged
-            If the edge cannot be followed.
+            If the motion of the contact edge cannot be computed.
         """
         law, machine = self.law, LoadingMachine(1.0 / self.machine_stiffness)
         times, positions = self.path.time.tolist(), self.path.across.tolist()
@@ -234,7 +234,7 @@ class ViscoelasticAdhesion:
             )
 
     def gathered(self, states: Iterable[ViscoelasticAdhesionState]) -> ViscoelasticAdhesionSolution:
-        """Return the solution made of these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its first part."""
         return gather(ViscoelasticAdhesionSolution, self, states)
 
     def solve(self) -> ViscoelasticAdhesionSolution:

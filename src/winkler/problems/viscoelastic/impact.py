@@ -63,16 +63,15 @@ class ViscoelasticImpact:
     Parameters
     ----------
     bed : Bed
-        Foundation(profile, ViscoelasticHalfSpace(solid)), or of a profile on a ViscoelasticCoatedHalfSpace or a
-        PoroelasticFilm.
+        Foundation(profile, medium) with a ViscoelasticHalfSpace, a ViscoelasticCoatedHalfSpace or a PoroelasticFilm.
     mass : float
         m [kg].
     velocity : float
         v [m/s] of approach at first touch, positive.
     count : int, optional
-        How many springs, or cells on layers that relax each by a law of its own.
+        Number of springs, or cells on layers with separate relaxation functions.
     tolerance : float, optional
-        To which the restitution is computed, by halving the steps.
+        Tolerance of the restitution, reached by halving the steps.
 
     Raises
     ------
@@ -245,15 +244,15 @@ class ViscoelasticImpactSolution:
     depth : ndarray, (steps,)
         d [m].
     velocity : ndarray, (steps,)
-        Of approach [m/s], negative during the rebound.
+        Velocity of approach [m/s], negative during the rebound.
     force : ndarray, (steps,)
         F_N [N].
     radius : ndarray, (steps,)
         a [m].
     stored_energy : ndarray, (steps,)
-        Of all springs, also of those that recover freely [J].
+        Elastic energy of all springs, also of those that recover freely [J].
     bulk_loss : ndarray, (steps,)
-        Energy lost in the bodies since first touch [J], summed up over the dashpots of all springs.
+        Energy dissipated in the bodies since first touch [J]: the sum over the dashpots of all springs.
     """
 
     __words__ = words(stored_energy=("U", "J", "energy stored in all springs, also in those set free"))
@@ -279,7 +278,7 @@ class ViscoelasticImpactSolution:
 
     @property
     def duration(self) -> float:
-        """How long the bodies touch [s]."""
+        """Contact time [s]."""
         return float(self.time[-1])
 
     @property
@@ -313,7 +312,7 @@ class ViscoelasticImpactSolution:
 
 
 class StruckCells:
-    """Cells on layers that relax each by a law of its own, with what a `Flight` asks of a row of springs."""
+    """Cells on layers with separate relaxation functions, with what a `Flight` asks of a row of springs."""
 
     def __init__(self, bed: Bed, reach: float, count: int) -> None:
         self.contact = LayeredMarch("ViscoelasticImpact", bed, cells_of(bed, reach, count), 0.0)

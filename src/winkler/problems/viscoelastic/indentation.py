@@ -64,15 +64,16 @@ class ViscoelasticIndentation:
     Parameters
     ----------
     bed : Bed
-        Foundation(profile, ViscoelasticHalfSpace(solid)), or of a profile on a ViscoelasticCoatedHalfSpace.
+        Foundation(profile, medium) with a ViscoelasticHalfSpace or a ViscoelasticCoatedHalfSpace.
     path : Path
-        Depths or forces over time; equal times are a sudden step, which a dashpot alongside (Kelvin-Voigt) forbids
-        for depths.  Under no force the body rests on the surface.
+        Depths or forces over time; equal times are a sudden step, which a dashpot alongside (Kelvin-Voigt) forbids for
+        depths.  At zero force the body rests on the surface.
     count : int, optional
-        How many springs, or cells on layers with separate relaxation functions; the error falls with its square.
+        Number of springs, or cells on layers with separate relaxation functions; the error falls with its square.
     tolerance : float, optional
-        Error of the depth in one step under prescribed forces, over the maximum depth.  On layers with separate
-        relaxation functions the same of the force at prescribed depths, and 0.1 / count^2 where that is more.
+        Error of the depth in one step under prescribed forces, over the maximum depth.  For layers with separate
+        relaxation functions it is also the error of the force at prescribed depths; the effective tolerance is at
+        least 0.1 / count^2.
 
     Raises
     ------
@@ -149,11 +150,11 @@ class ViscoelasticIndentation:
 
     @property
     def total(self) -> int:
-        """How many states `steps` yields: one for every point of the path."""
+        """Number of states that `steps` yields: one for every point of the path."""
         return self.path.time.size
 
     def steps(self) -> Iterator[ViscoelasticState]:
-        """Yield the state at every point of the path, just before anything sudden that happens there next.
+        """Yield the state at every point of the path, just before a sudden step at this point.
 
         Raises
         ------
@@ -245,7 +246,7 @@ class ViscoelasticIndentation:
             yield row, np.stack([times[part], depth, forces[part], radius, worked, stored, wasted], axis=1)
 
     def gathered(self, states: Iterable[ViscoelasticState]) -> ViscoelasticSolution:
-        """Return the solution made of these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its first part."""
         return gather(ViscoelasticSolution, self, states)
 
     def solve(self) -> ViscoelasticSolution:

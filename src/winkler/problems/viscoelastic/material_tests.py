@@ -40,11 +40,11 @@ class CreepTest:
     Parameters
     ----------
     bed : Bed
-        Foundation(profile, ViscoelasticHalfSpace(solid)), or of a profile on a ViscoelasticCoatedHalfSpace.
+        Foundation(profile, medium) with a ViscoelasticHalfSpace or a ViscoelasticCoatedHalfSpace.
     force : float
         F_N [N], positive.
     time : ndarray, (steps,)
-        Since then [s], positive.
+        Time since the step [s], positive.
 
     Raises
     ------
@@ -90,7 +90,7 @@ class CreepTest:
         OutsideValidity
             If the depth exceeds the known range of its profile, or the contact on layers is not a disc.
         NotConverged
-            If cells do not resolve layers with separate relaxation functions.
+            If the cells do not resolve the layers.
         """
         medium = self.bed.medium
         assert offers(medium, RelaxingMedium)
@@ -107,11 +107,11 @@ class RelaxationTest:
     Parameters
     ----------
     bed : Bed
-        Foundation(profile, ViscoelasticHalfSpace(solid)), or of a profile on a ViscoelasticCoatedHalfSpace.
+        Foundation(profile, medium) with a ViscoelasticHalfSpace or a ViscoelasticCoatedHalfSpace.
     depth : float
         d [m], positive.
     time : ndarray, (steps,)
-        Since then [s], positive.
+        Time since the step [s], positive.
 
     Raises
     ------
@@ -146,7 +146,7 @@ class RelaxationTest:
             relaxation_of("RelaxationTest", self.bed)
 
     def solve(self) -> StepSolution:
-        """Return how the force falls.
+        """Return the decrease of the force with time.
 
         Returns
         -------
@@ -157,7 +157,7 @@ class RelaxationTest:
         OutsideValidity
             If the depth is beyond the known range of the profile, or the contact on layers is not a disc.
         NotConverged
-            If cells do not resolve layers with separate relaxation functions.
+            If the cells do not resolve the layers.
         """
         if is_layered("RelaxationTest", self.bed):
             return StepSolution(self, self.time, *stepped("RelaxationTest", self.bed, self.time, Depth(self.depth)))

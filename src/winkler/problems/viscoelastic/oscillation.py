@@ -35,16 +35,17 @@ class HarmonicIndentation(PerLoad[Q]):
     Parameters
     ----------
     bed : Bed
-        Foundation(profile, ViscoelasticHalfSpace(solid)), or of a profile on a ViscoelasticCoatedHalfSpace.
+        Foundation(profile, medium) with a ViscoelasticHalfSpace or a ViscoelasticCoatedHalfSpace.
     normal : Depth or Force
-        The steady load about which it oscillates, one number; a Force needs a solid that does not flow for ever.
+        The steady load about which it oscillates, one number; a Force requires a solid that is not a liquid at long
+        times.
     angular_frequency : float or ndarray
         omega [rad/s], positive; the results have its shape.
 
     Raises
     ------
     InvalidInput
-        If the medium is not viscoelastic, a liquid would have to carry a steady force, or a number is out of range.
+        If the medium is not viscoelastic, a steady force acts on a liquid, or a number is out of range.
 
     References
     ----------

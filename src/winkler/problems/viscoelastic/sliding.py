@@ -72,13 +72,14 @@ class SlidingResistance(PerLoad[Q]):
     Parameters
     ----------
     bed : Bed
-        Foundation(profile, ViscoelasticHalfSpace(solid)); the edge of the contact is not a rim.
+        Foundation(profile, ViscoelasticHalfSpace(solid)), for profiles whose contact does not reach a rim.
     normal : Depth or Force
         The steady load, one positive number.
     speed : float or ndarray
         v [m/s], positive; the results have its shape.
     count : int, optional
-        Number of parts of the widest contact. The error is of second order; for a paraboloid and a cone it is zero.
+        Number of elements across the widest contact. The error is of second order; for a paraboloid and a cone it is
+        zero.
 
     Raises
     ------
@@ -182,11 +183,11 @@ class SlidingResistanceSolution(PerLoad[Q]):
     radius : float or ndarray
         a [m], from the middle to the leading edge.
     trailing_edge : float or ndarray
-        x [m] where the springs let go, negative behind the middle.
+        Position x [m] at which the springs separate, negative behind the middle.
     line_shear_force : float or ndarray
-        F_x [N] of the line of springs, positive against the motion.
+        F_x [N] of the one-dimensional foundation, positive against the motion.
     shear_force : float or ndarray
-        F_x [N] of the body: that of the line, less what waves aslant do not lose.
+        F_x [N] of the body: the force of the foundation, corrected for the three-dimensional deformation.
     """
 
     __words__ = words(coefficient=(r"\mu", "", "resistance over normal force"))

@@ -64,21 +64,21 @@ class EllipticWear:
     Parameters
     ----------
     bodies : CurvedBodies or CurvedPair
-        R_x and R_y, or the radii of each body; x is that of both together.
+        R_x and R_y, or the radii of each body; x is the principal direction of the pair.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, SlidingFilm, StackedHalfSpace, \
 DepthGradedHalfSpace or GradedHalfSpace
         Both bodies: on homogeneous ones Hertz's ellipse, on others a map of pixels; the first one has the layers.
     wear : Archard, PairWear or OwnWear
-        How the surfaces wear.  The first body is the slider, at rest relative to the contact. The second body has the
-        track, and wears only under a PairWear.
+        Law of wear.  The first body is the slider, at rest relative to the contact. The second body has the track, and
+        wears only under a PairWear.
     load : Force
         The steady normal force, one positive number.
     distance : float
-        s [m] slid, back and forth counted together.
+        Sliding distance s [m], summed over both directions.
     angle : float, optional
-        Direction of sliding, from x towards y [rad]; along x unless given.
+        Direction of sliding, from x towards y [rad]; along x by default.
     passes : float, optional
-        How often the slider passes over each place of the track; once unless given.
+        Number of passes of the slider over each point of the track; one by default.
 
     Raises
     ------
@@ -124,15 +124,15 @@ DepthGradedHalfSpace or GradedHalfSpace
     assumptions: ClassVar[frozenset[Assumption]] = WORN
 
     def solve(self) -> EllipticWearSolution:
-        """Return what both bodies have lost.
+        """Return the wear of both bodies.
 
         Raises
         ------
         OutsideValidity
             If the distance is shorter than the passes over the length of the contact.
         InvalidInput
-            If the curvatures are so different that the contact is a line, or a law of wear of one's own returns
-            something else than worn depths.
+            If the curvatures are so different that the contact is a line, or a user-defined law of wear does not
+            return worn depths.
         """
         contact = EllipticIndentation(self.bodies, self.medium, self.load).solve()
         pressed = _pressed(contact)
@@ -237,7 +237,7 @@ class EllipticWearSolution:
     worn_depth : float
         Maximum worn depth of the slider [m], in the middle of the ellipse.
     worn_volume : float
-        What the slider has lost [m^3].
+        Wear volume of the slider [m^3].
     track_half_width : float
         w [m]: half the width of the ellipse across the sliding.
     track_area : float
@@ -263,7 +263,7 @@ class EllipticWearSolution:
         Parameters
         ----------
         x, y : array_like
-            Places on the surface [m], of one shape or one that fits.
+            Positions on the surface [m], of shapes that broadcast.
 
         Raises
         ------
@@ -278,7 +278,7 @@ class EllipticWearSolution:
         Parameters
         ----------
         t : array_like
-            Places across the sliding [m], from the middle of the track.
+            Positions across the sliding direction [m], from the middle of the track.
 
         Raises
         ------
@@ -292,7 +292,7 @@ class EllipticWearSolution:
 
     @property
     def track_depth(self) -> float:
-        """Maximum depth of the track on the second body [m]; zero if that one does not wear."""
+        """Maximum depth of the track on the second body [m]; zero if this body does not wear."""
         return float(self.track(0.0))
 
     @property

@@ -56,24 +56,24 @@ class FrettingWear(AtGoals):
     Parameters
     ----------
     bed : Foundation
-        Foundation(profile, medium) before wear; the medium of elastic bodies, with bonded layers or without.
+        Foundation(profile, medium) before wear; the bodies are elastic, with or without bonded layers.
     wear : Archard, PairWear or OwnWear
-        How the surfaces wear.
+        Law of wear.
     law : Coulomb
-        Friction; its coefficient positive and finite.
+        Friction; its coefficient must be positive and finite.
     normal : Depth or Force
         The steady normal load, one positive number.
     amplitude : Shift or ShearForce
-        How far to each side, half of the whole stroke: one positive number.
+        Amplitude (half of the stroke), one positive number.
     cycles : float or ndarray, (steps,)
         Numbers of cycles after which the contact is returned; one number gives 41 states up to it.
     count : int, optional
-        Cells of the grid of radii.
+        Number of grid cells along the radius.
     tolerance : float, optional
         Error of the worn depth in one jump over many cycles, over the depth of the springs.
     layer_wears : bool, optional
-        Of a medium with layers, and one law of wear: whether its uppermost layer wears. Left out, the other body does;
-        under a PairWear both do, the layer by its first law.
+        For a medium with layers and one law of wear: whether the uppermost layer wears. By default the other body
+        wears. With a PairWear both wear, the layer by the first law.
 
     Raises
     ------
@@ -84,9 +84,9 @@ class FrettingWear(AtGoals):
 
     Notes
     -----
-    On layers and graded bodies pressures, bounds of the springs and slip are those of the normal and shear kernels of
-    the layers, as in `Tangential`; the core that sticks moves while its surroundings wear.  A layer that wears is taken
-    to respond as before, up to 5 per cent of its thickness.
+    On layers and graded bodies pressure, friction limit and slip follow from the normal and shear kernels of the
+    layers, as in `Tangential`. The stick zone changes while its surroundings wear. The elastic response of a worn
+    layer is assumed unchanged, up to 5 % of its thickness.
 
     References
     ----------
@@ -142,11 +142,11 @@ class FrettingWear(AtGoals):
 
     @property
     def laws(self) -> WearLaw:
-        """How the bodies wear: one law alone is that of the first, or on layers that stay as they are, the second."""
+        """The laws of wear of both bodies; a single law is for the body that wears."""
         return laws_on(self.bed.medium, self.wear, layer_wears=self.layer_wears)
 
     def rubbed(self, grid: RoundGrid, contact: WornContact) -> RubbedContact:
-        """Return the pressed contact under the oscillating displacement."""
+        """Return the contact under the oscillating displacement."""
         coefficient, size = self.law.coefficient, float(numbers_of(self.amplitude))
         if isinstance(self.amplitude, ShearForce):
             size = grid.shift_under(contact, coefficient, size)
@@ -154,15 +154,15 @@ class FrettingWear(AtGoals):
 
     @property
     def most_worn(self) -> float:
-        """Infinite: not known before."""
+        """Infinite: the final worn depth is not known in advance."""
         return math.inf
 
     def slipped(self, grid: RoundGrid, contact: WornContact) -> Array:
-        """Return how far the surfaces slip in one cycle at the nodes [m]."""
+        """Return the slip distance per cycle at the nodes [m]."""
         return 4.0 * self.rubbed(grid, contact).slip
 
     def refuse(self, contact: WornContact, elapsed: float) -> None:
-        """Refuse a contact that slides away under a prescribed shear force, and to wear much of a layer."""
+        """Raise an error if the shear force exceeds the friction limit, or if much of a layer would wear."""
         if layer_loses(self.bed.medium, self.wear, layer_wears=self.layer_wears):
             refuse_thin("FrettingWear", self.bed.medium, contact.worn_depth, f"{elapsed:.4g} cycles")
         most = self.law.coefficient * contact.force
@@ -184,8 +184,8 @@ class FrettingWear(AtGoals):
         Raises
         ------
         OutsideValidity
-            If the bodies do not touch, slide away, or the contact outgrows the profile, at that step: the states
-            before it have been yielded.
+            If the bodies do not touch or slide, or the contact exceeds the profile. The error is raised at that step,
+            after all earlier states.
         NotConverged
             If jumps become too short.
         """
@@ -204,7 +204,7 @@ class FrettingWear(AtGoals):
         )  # fmt: skip
 
     def gathered(self, states: Iterable[FrettingState]) -> FrettingSolution:
-        """Return the solution made of these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its first part."""
         return worn_history(FrettingSolution, self, states)
 
     def solve(self) -> FrettingSolution:
@@ -241,9 +241,9 @@ class FrettingSolution:
     worn_depth : ndarray, (steps,)
         Maximum worn depth [m], of both bodies together.
     worn_volume, first_volume, second_volume : ndarray, (steps,)
-        What both bodies and each of them have lost [m^3].
+        Wear volume of both bodies together and of each body [m^3].
     loss_per_cycle : ndarray, (steps,)
-        Energy lost in every cycle [J].
+        Dissipated energy per cycle [J].
     states : tuple of FrettingState
         The states themselves, with the worn profiles.
     """

@@ -63,11 +63,11 @@ class LimitingProfile:
     bed : Foundation
         Foundation(profile, medium) before wear.
     law : Coulomb
-        Friction; its coefficient positive and finite.
+        Friction; its coefficient must be positive and finite.
     normal : Depth
         One positive number.
     amplitude : Shift
-        How far to each side, one positive number; less than slides everything.
+        Amplitude (half of the stroke): one positive number, small enough to leave a stick zone.
 
     Raises
     ------
@@ -76,10 +76,9 @@ class LimitingProfile:
 
     Notes
     -----
-    On layers and graded bodies the stick zone follows from their normal and shear kernels. Where the stick zone before
-    wear would slip at the edge of a stick zone that carries the whole load, the stick zone shrinks to where it does
-    not; where it would not, the stick zone grows while its surroundings wear, by how much depends on the law, and the
-    one before wear is taken.
+    On layers and graded bodies the stick zone follows from their normal and shear kernels. The final stick zone
+    carries the whole load. If it would slip at its edge, it shrinks until it does not. Otherwise it grows while its
+    surroundings wear, by an amount that depends on the law of wear; the stick zone before wear is then used.
 
     References
     ----------
@@ -196,7 +195,7 @@ class LimitingSolution:
     core : StretchedSprings
         The springs in contact.
     radius : float
-        a_inf [m], where the worn part ends.
+        Outer radius a_inf of the worn zone [m].
     """
 
     __words__ = words(radius=(r"a_\infty", "m", "radius where the worn part ends"))
@@ -223,7 +222,7 @@ class LimitingSolution:
 
     @property
     def worn_volume(self) -> float:
-        """What is worn off in the end [m^3]."""
+        """Final wear volume [m^3]."""
         # r^2 - c^2 = s^2: the worn depth begins like the root of the distance from the core
         c, end = self.core.radius, self.radius
         nodes, weights = gauss_legendre(NODES)
@@ -249,13 +248,13 @@ class LimitingSolution:
         Returns
         -------
         ndarray
-            f(r) [m], that before wear within the stick zone and beyond the worn part.
+            f(r) [m]; in the stick zone and outside the worn zone it is the profile before wear.
         """
         r = np.asarray(r, dtype=float)
         return np.asarray(self.problem.bed.height(r) + self.worn(r))
 
     def worn(self, r: Array) -> Array:
-        """Worn depth [m] at distances from the axis [m]; zero within the stick zone and beyond the worn part."""
+        """Worn depth [m] at distances from the axis [m]; zero in the stick zone and outside the worn zone."""
         r = np.asarray(r, dtype=float)
         ring = (r > self.core.radius) & (r < self.radius)
         worn = np.zeros(r.shape)
@@ -265,7 +264,7 @@ class LimitingSolution:
         return np.maximum(worn, 0.0)
 
     def pressure(self, r: Array) -> Array:
-        """Pressure in the end.
+        """Final pressure.
 
         Parameters
         ----------

@@ -59,23 +59,23 @@ class LineFrettingWear(AtGoals):
     bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
         Profile and bodies before wear: homogeneous, or layers through which shear reaches the base.
     wear : Archard, PairWear or OwnWear
-        How the surfaces wear.
+        Law of wear.
     law : Coulomb
-        Friction; its coefficient positive and finite.
+        Friction; its coefficient must be positive and finite.
     normal : LineForce
         The steady normal force per length, one positive number.
     amplitude : LineShearForce
-        How far the shear force per length swings to each side, one positive number; less than slides everything.
-        Half-planes have no shift to prescribe: it grows without bound with their size.
+        Amplitude of the shear force per length: one positive number, below the friction limit. A tangential
+        displacement cannot be prescribed: on half-planes it grows without limit with their size.
     cycles : float or ndarray, (steps,)
         Numbers of cycles after which the contact is returned; one number gives 41 states up to it.
     count : int, optional
-        Cells of the grid of places on one side.
+        Number of grid cells on one side of the middle.
     tolerance : float, optional
-        Error of the worn depth in one jump over many cycles, over the largest one in the end.
+        Error of the worn depth in one jump over many cycles, over the maximum final worn depth.
     layer_wears : bool, optional
-        Of a medium with layers, and one law of wear: whether its uppermost layer wears. Left out, the other body does;
-        under a PairWear both do, the layer by its first law.
+        For a medium with layers and one law of wear: whether the uppermost layer wears. By default the other body
+        wears. With a PairWear both wear, the layer by the first law.
 
     Raises
     ------
@@ -86,9 +86,9 @@ class LineFrettingWear(AtGoals):
 
     Notes
     -----
-    On layers pressures, bounds and slip are those of their responses to pressure and to shear along x; what sticks
-    moves while its surroundings wear.  A layer that wears is taken to respond as before, up to 5 per cent of its
-    thickness.
+    On layers pressure, friction limit and slip follow from the responses to pressure and to shear along x. The stick
+    zone changes while its surroundings wear. The elastic response of a worn layer is assumed unchanged, up to 5 % of
+    its thickness.
 
     References
     ----------
@@ -144,7 +144,7 @@ class LineFrettingWear(AtGoals):
 
     @property
     def laws(self) -> WearLaw:
-        """How the bodies wear: one law alone is that of the first, or on layers that stay as they are, the second."""
+        """The laws of wear of both bodies; a single law is for the body that wears."""
         return laws_on(self.bed.medium, self.wear, layer_wears=self.layer_wears)
 
     def _rubbed(self, grid: StripGrid, contact: WornContact) -> RubbedStrip:
@@ -156,7 +156,7 @@ class LineFrettingWear(AtGoals):
         return _end_of_wear(self).depth
 
     def slipped(self, grid: StripGrid, contact: WornContact) -> Array:
-        """Return how far the surfaces slip in one cycle at the nodes [m]."""
+        """Return the slip distance per cycle at the nodes [m]."""
         return 4.0 * self._rubbed(grid, contact).slip
 
     def refuse(self, contact: WornContact, elapsed: float) -> None:
@@ -203,7 +203,7 @@ class LineFrettingWear(AtGoals):
         )  # fmt: skip
 
     def gathered(self, states: Iterable[LineFrettingState]) -> LineFrettingSolution:
-        """Return the solution made of these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its first part."""
         return worn_history(LineFrettingSolution, self, states)
 
     def solve(self) -> LineFrettingSolution:
@@ -255,9 +255,9 @@ class LineFrettingSolution:
     worn_depth : ndarray, (steps,)
         Maximum worn depth [m], of both bodies together.
     worn_volume_per_length, first_volume_per_length, second_volume_per_length : ndarray, (steps,)
-        What both bodies and each of them have lost, per length of the line [m^2].
+        Wear volume of both bodies together and of each body, per length of the line [m^2].
     dissipation_per_length : ndarray, (steps,)
-        Energy lost in every cycle, per length [J/m].
+        Dissipated energy per cycle and length [J/m].
     states : tuple of LineFrettingState
         The states themselves, with the worn profiles.
     """

@@ -57,11 +57,11 @@ class LineLimitingProfile:
     bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
         Profile and bodies before wear: homogeneous, or layers through which shear reaches the base.
     law : Coulomb
-        Friction; its coefficient positive and finite.
+        Friction; its coefficient must be positive and finite.
     normal : LineForce
         The steady normal force per length, one positive number.
     amplitude : LineShearForce
-        How far the shear force per length swings to each side, one positive number; less than slides everything.
+        Amplitude of the shear force per length: one positive number, below the friction limit.
 
     Raises
     ------
@@ -72,10 +72,9 @@ class LineLimitingProfile:
 
     Notes
     -----
-    On layers the stick zone follows from their responses to pressure and to shear. Where the stick zone before wear
-    would slip at the edge of a stick zone that carries the whole load, the stick zone shrinks to where it does not;
-    where it would not, the stick zone grows while its surroundings wear, by how much depends on the law, and the one
-    before wear is taken.
+    On layers the stick zone follows from their responses to pressure and to shear. The final stick zone carries the
+    whole load. If it would slip at its edge, it shrinks until it does not. Otherwise it grows while its surroundings
+    wear, by an amount that depends on the law of wear; the stick zone before wear is then used.
 
     References
     ----------
@@ -148,7 +147,7 @@ class LineLimitingSolution(Stressed):
     excess_load : float
         Load per length over E* of the stick zone as a flat punch [m].
     half_width : float
-        a_inf [m], where the worn part ends.
+        Outer radius a_inf of the worn zone [m].
     """
 
     __words__ = words(
@@ -172,7 +171,7 @@ class LineLimitingSolution(Stressed):
 
     @property
     def worn_volume_per_length(self) -> float:
-        """What is worn off in the end, per length of the line [m^2]."""
+        """Final wear volume per length of the line [m^2]."""
         # x^2 - c^2 = s^2: the worn depth begins like the root of the distance from the core
         c, end = self.stick_half_width, self.half_width
         nodes, weights = gauss_legendre(NODES)
@@ -187,13 +186,12 @@ class LineLimitingSolution(Stressed):
         return float(np.max(self.worn(c + (end - c) * np.linspace(0.0, 1.0, SAMPLES) ** 2)))
 
     def worn(self, x: ArrayLike) -> Array:
-        """Return the worn depth [m] at places [m], of both bodies together: zero within the stick zone and beyond the
-        end.
+        """Return the worn depth of both bodies together [m]: zero in the stick zone and outside the worn zone.
 
         Parameters
         ----------
         x : array_like
-            Places on the surface [m], on either side of the middle.
+            Positions on the surface [m], on either side of the middle.
         """
         away = np.abs(finite_places("LineLimitingSolution.worn", "x", x))
         beside = (away > self.stick_half_width) & (away < self.half_width)
@@ -208,7 +206,7 @@ class LineLimitingSolution(Stressed):
         Parameters
         ----------
         x : array_like
-            Places on the surface [m], on either side of the middle.
+            Positions on the surface [m], on either side of the middle.
         """
         away = np.abs(finite_places("LineLimitingSolution.height", "x", x))
         return np.asarray(self.problem.bed.profile.height(away) + self.worn(away))

@@ -57,13 +57,13 @@ class LineSlidingWear(OfDistance):
         Sliding distances [m] after which the contact is returned, summed over both directions; one number gives 41
         states up to it.
     count : int, optional
-        Cells of the grid of places on one side.
+        Number of grid cells on one side of the middle.
     tolerance : float, optional
         Error of the worn depth in one jump, over the load per length over E*. Once the pressure is steady, it is
         relative to the sum of this and the maximum worn depth.
     layer_wears : bool, optional
-        Of a medium with layers: whether its uppermost layer wears, as on a coated roller that slides on a flat. Left
-        out, the other body wears.
+        For a medium with layers: whether the uppermost layer wears, as on a coated roller that slides on a flat. By
+        default the other body wears.
 
     Raises
     ------
@@ -74,8 +74,8 @@ class LineSlidingWear(OfDistance):
 
     Notes
     -----
-    A layer that wears is taken to respond as before; `steps` refuses to go on when 5 per cent of its thickness are
-    gone, and `validity` states how much stiffer or softer a layer would be that is thinner all over.
+    The elastic response of a worn layer is assumed unchanged. `steps` raises an error when 5 % of its thickness are
+    worn off. `validity` states the change of the stiffness for a uniformly thinner layer.
 
     References
     ----------
@@ -127,11 +127,11 @@ class LineSlidingWear(OfDistance):
 
     @property
     def laws(self) -> WearLaw:
-        """How the bodies wear: the second one on layers that stay as they are, else the first."""
+        """The laws of wear of both bodies; one body wears, see `layer_wears`."""
         return laws_on(self.bed.medium, self.wear, layer_wears=self.layer_wears)
 
     def refuse(self, contact: WornContact, elapsed: float) -> None:
-        """Refuse a contact that has grown to where the profile before wear falls, and to wear much of a layer."""
+        """Raise an error if the contact reaches a falling part of the profile, or much of a layer would wear."""
         refuse_unless_rising("LineSlidingWear", self.bed, contact.radius)
         if self.layer_wears:
             refuse_thin("LineSlidingWear", self.bed.medium, contact.worn_depth, f"{elapsed:.4g} m of sliding")
@@ -155,7 +155,8 @@ class LineSlidingWear(OfDistance):
         Raises
         ------
         OutsideValidity
-            If the bodies touch in several strips, or the contact outgrows the profile, at that step.
+            If the bodies touch in several strips, or the contact exceeds the profile. The error is raised at that
+            step.
         NotConverged
             If jumps become too short.
         """
@@ -167,7 +168,7 @@ class LineSlidingWear(OfDistance):
         return LineWearState(**common, places=moment.nodes, force_per_length=contact.force, half_width=touching)
 
     def gathered(self, states: Iterable[LineWearState]) -> LineSlidingSolution:
-        """Return the solution made of these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its first part."""
         return worn_history(LineSlidingSolution, self, states)
 
     def solve(self) -> LineSlidingSolution:
@@ -202,7 +203,7 @@ class LineSlidingSolution:
     worn_depth : ndarray, (steps,)
         Maximum worn depth [m].
     worn_volume_per_length : ndarray, (steps,)
-        What was lost, per length of the line [m^2].
+        Wear volume, per length of the line [m^2].
     states : tuple of LineWearState
         The states themselves, with the worn profiles.
     """

@@ -111,7 +111,7 @@ class LineFrettingState(LineWearState):
     slip : ndarray, (n,)
         Amplitude of the slip at the nodes [m].
     dissipation_per_length : float
-        Energy lost in every cycle, per length [J/m].
+        Dissipated energy per cycle and length [J/m].
     """
 
     __words__ = words(

@@ -43,22 +43,22 @@ class SlidingWear(OfDistance):
     Parameters
     ----------
     bed : Foundation
-        Foundation(profile, medium) before wear; the medium of elastic bodies, with layers or without.
+        Foundation(profile, medium) before wear; the bodies are elastic, with or without layers.
     wear : Archard or OwnWear
-        How the body that stays in contact wears.
+        Law of wear of the body that stays in contact.
     normal : Depth or Force
         The steady normal load, one positive number.
     distance : float or ndarray, (steps,)
         Sliding distances [m] after which the contact is returned, summed over both directions; one number gives 41
         states up to it.
     count : int, optional
-        Cells of the grid of radii.
+        Number of grid cells along the radius.
     tolerance : float, optional
         Error of the worn depth in one jump, over the depth of the springs. Once the pressure is steady, it is relative
         to the approach of the bodies including wear.
     layer_wears : bool, optional
-        Of a medium with layers: whether its uppermost layer wears, as on a coated ball that slides on a flat. Left out,
-        the other body wears, as a pin does on a coated disc.
+        For a medium with layers: whether the uppermost layer wears, as on a coated ball that slides on a flat. By
+        default the other body wears, such as a pin on a coated disc.
 
     Raises
     ------
@@ -69,9 +69,9 @@ class SlidingWear(OfDistance):
 
     Notes
     -----
-    On layers and graded bodies pressures are those of the springs' flat punches superposed, as in `Indentation`. A
-    layer that wears is taken to respond as before; `steps` refuses to go on when 5 per cent of its thickness are gone,
-    and `validity` states how much stiffer or softer a layer would be that is thinner all over.
+    On layers and graded bodies pressures are superpositions of flat-punch solutions, as in `Indentation`. The elastic
+    response of a worn layer is assumed unchanged. `steps` raises an error when 5 % of its thickness are worn off.
+    `validity` states the change of the stiffness for a uniformly thinner layer.
 
     References
     ----------
@@ -122,7 +122,7 @@ class SlidingWear(OfDistance):
 
     @property
     def laws(self) -> WearLaw:
-        """How the bodies wear: the second one on layers that stay as they are, else the first."""
+        """The laws of wear of both bodies; one body wears, see `layer_wears`."""
         return laws_on(self.bed.medium, self.wear, layer_wears=self.layer_wears)
 
     def refuse(self, contact: WornContact, elapsed: float) -> None:
@@ -157,7 +157,7 @@ class SlidingWear(OfDistance):
         )  # fmt: skip
 
     def gathered(self, states: Iterable[WearState]) -> SlidingSolution:
-        """Return the solution made of these states, of the whole path or of its beginning."""
+        """Return the solution made of these states, of the whole path or of its first part."""
         return worn_history(SlidingSolution, self, states)
 
     def solve(self) -> SlidingSolution:
@@ -190,7 +190,7 @@ class SlidingSolution:
     worn_depth : ndarray, (steps,)
         Maximum worn depth [m].
     worn_volume : ndarray, (steps,)
-        What was lost [m^3].
+        Wear volume [m^3].
     states : tuple of WearState
         The states themselves, with the worn profiles.
     """

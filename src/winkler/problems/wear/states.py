@@ -183,7 +183,7 @@ class FrettingState(WearState):
     slip : ndarray, (n,)
         Amplitude of the slip at the nodes [m].
     loss_per_cycle : float
-        Energy lost in every cycle [J].
+        Dissipated energy per cycle [J].
     """
 
     __words__ = words(

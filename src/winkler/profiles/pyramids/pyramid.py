@@ -135,7 +135,7 @@ class Pyramid(PyramidShape):
         Angle between axis and face [rad], between 0 and pi/2: half of the angle between opposite faces. It is measured
         in the plane through the axis perpendicular to the edge of the base.  65.27 degrees for a (modified) Berkovich
         tip, 68 for Vickers, 35.26 for a cube corner. Pyramids moulded in etched pits of silicon have 35.26 too; makers
-        of cantilevers state 35.  Of the angle between face and base plane it is the rest to 90 degrees.
+        of cantilevers state 35.  It is 90 degrees minus the angle between face and base plane.
 
     See Also
     --------

@@ -55,14 +55,14 @@ class RoundedPyramid(PowerPieces):
     """A pyramid of three or four faces with rounded apex and edges: a blunt AFM tip.
 
     Force, depth and stiffness on a homogeneous half-space are those of the pyramid within 0.03 %, from the paraboloid
-    at the apex to the sharp pyramid far above.
+    at small depths to the sharp pyramid at large depths.
 
     Parameters
     ----------
     sides : int
         Number of faces, 3 or 4.
     face_angle : float
-        Angle between axis and face [rad], as of `Pyramid`.
+        Angle between axis and face [rad], as in `Pyramid`.
     curvature_radius : float
         R [m], of the apex and across the edges.
 
@@ -86,7 +86,7 @@ class RoundedPyramid(PowerPieces):
 
     @property
     def blend_radius(self) -> float:
-        """Up to which distance from the axis the tip is a paraboloid of revolution [m]."""
+        """Distance from the axis up to which the tip is a paraboloid of revolution [m]."""
         return self.curvature_radius / math.tan(self.face_angle) * math.cos(math.pi / self.sides)
 
     @property

@@ -29,11 +29,12 @@ class CorrelationLengths:
     Parameters
     ----------
     shortest : float
-        Distance at which the autocorrelation has fallen to 0.2 in the direction of the fastest fall [m], Sal.
+        Distance at which the autocorrelation has fallen to 0.2 in the direction of the fastest decrease [m], Sal.
     longest : float
-        The same in the direction of the slowest fall [m]; infinite if it does not fall so far within half a map.
+        The same distance in the direction of the slowest decrease [m]; infinite if 0.2 is not reached within half a
+        map.
     direction : float
-        Of the slowest fall [rad], from x towards y, 0 to pi: along the lay.
+        Direction of the slowest decrease (the lay) [rad], from x towards y, 0 to pi.
     """
 
     __words__ = words(
@@ -56,10 +57,10 @@ class CorrelationLengths:
 
 
 def correlation_lengths(surface: Topography) -> CorrelationLengths:
-    """Return over which distances the heights of a map are correlated, in 180 directions.
+    """Return the autocorrelation lengths of a map, evaluated in 180 directions.
 
-    Take off its trend first: ``surface.detrended(1)``.  Missing heights are omitted.  On a map of few hills in either
-    direction the numbers are those of these hills.
+    Remove the trend first: ``surface.detrended(1)``.  Missing heights are omitted.  On a map with few hills the
+    lengths describe these hills and are not representative of the surface.
 
     Parameters
     ----------

@@ -41,7 +41,7 @@ class LineScan:
     Parameters
     ----------
     position : array_like, (n,)
-        Places along the line [m], rising; they need not be equally far apart.
+        Places along the line [m], rising; they need not be equally spaced.
     heights : array_like, (n,)
         Heights there [m], up.
     missing : int, optional
@@ -143,12 +143,11 @@ class LineScan:
 
     @property
     def spectrum(self) -> PowerSpectrum:
-        """C(q) of an isotropic surface with the statistics of the scan: a guess from one line of it.
+        """C(q) of an isotropic surface with the statistics of the scan: an estimate from one line.
 
-        The scan is levelled, and fades towards its ends under Hann's window; the powers of its waves scatter and are
-        averaged over twentieths of a decade.  One line is one sample: the density scatters
-        by its own size where few waves fit it, and what is levelled is up to 30 per cent low in the mean over scans;
-        height and slope are met within 10 and 5 per cent in that mean.
+        The scan is levelled and multiplied by Hann's window; spectral densities are averaged over bands of 1/20
+        decade. One scan is one sample: at long wavelengths the density scatters by 100 %. Levelling makes it up to 30
+        % too low there (mean over scans). The mean errors of height and slope are within 10 % and 5 %.
         """
         step, z = self._levelled
         window = np.hanning(z.size + 2)[1:-1]

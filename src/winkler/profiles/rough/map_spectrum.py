@@ -56,12 +56,11 @@ class _MapWaves(NamedTuple):
 def spectrum_of(topography: Topography) -> PowerSpectrum:
     """Return the isotropic spectrum of a map: the mean over all directions, in rings of 1/20 decade.
 
-    Of a periodic map the root mean square height and gradient of the spectrum are those of the sum of its waves, also
-    where all are parallel (a turned or ground surface).  In the corners of the plane of wave numbers, beyond pi over
-    the pixel, only some directions are there, and their power is shared by all.  A map that stands alone is detrended
-    by a plane, faded out towards its border (Hann's window), and divided by the root mean square of the window: height
-    and gradient are then those of the map in the mean over many maps, not of each one, and what is left at wave number
-    zero is dropped.
+    For a periodic map the spectrum has the root mean square height and gradient of the map, also for a turned or
+    ground surface. Wave numbers beyond pi over the pixel size exist in some directions only; their power is averaged
+    over all directions.  A non-periodic map is detrended by a plane, multiplied by Hann's window, and divided by the
+    root mean square of the window. Height and gradient then agree with those of the maps in the mean over many maps,
+    not for each one. The component at wave number zero is dropped.
 
     Parameters
     ----------

@@ -36,13 +36,14 @@ class MapStatistics:
     rms_slope : float
         Root mean square of the gradient [-], Sdq.
     developed_share : float
-        By how much the area along the surface is larger than that of the map, over the latter [-], Sdr.
+        Relative increase of the surface area over the area of the map [-], Sdr.
     rms_curvature : float
         Root mean square of the mean curvature [1/m], from second differences of neighbours; nan if there are none.
     correlation_length, texture_aspect, texture_direction : float
         Sal [m], Str [-] and the direction of the lay [rad] from x towards y, as in `CorrelationLengths`.
     tip_limit : float
-        Length below which the tip has rounded the map [m]; zero if it has not, or is not known.
+        Length below which the map is rounded by the tip [m]; zero if it is not rounded, or the tip radius is not
+        known.
     topography : Topography
         The map, which `winkler.plot.draw` shows with its curves.
     """
@@ -83,7 +84,7 @@ def map_statistics(surface: Topography) -> MapStatistics:
     """Return heights and slopes of a map by the names of ISO 25178-2; missing heights are omitted.
 
     The gradient is that of the two triangles of each square of four neighbours; squares with a missing height do not
-    count.  Remove what is not roughness first: ``surface.without_spikes().detrended(1)``.
+    count.  Remove spikes and trend first: ``surface.without_spikes().detrended(1)``.
 
     Parameters
     ----------
@@ -93,7 +94,7 @@ def map_statistics(surface: Topography) -> MapStatistics:
     Raises
     ------
     InvalidInput
-        If the map is flat, or no four neighbours are there.
+        If the map is flat, or no square of four neighbours is complete.
 
     Examples
     --------
@@ -149,7 +150,7 @@ def _squared_slopes(surface: Topography) -> Array:
 
 
 def bearing_heights(surface: Topography, shares: ArrayLike) -> Array:
-    """Return the heights above the mean [m] above which these shares of the map lie: Abbott and Firestone's curve.
+    """Return heights of the Abbott-Firestone curve: a given share of the map lies above each height [m].
 
     Parameters
     ----------
@@ -173,8 +174,8 @@ def bearing_heights(surface: Topography, shares: ArrayLike) -> Array:
 def correlation_length(surface: Topography) -> float:
     """Return the distance [m] at which the autocorrelation, mean over all directions, has fallen to 0.2.
 
-    It is computed by SurfaceTopography (extra ``topography``).  ISO 25178-2 takes the direction of the fastest fall
-    instead (Sal); of isotropic surfaces both are the same.
+    It is computed by SurfaceTopography (extra ``topography``).  ISO 25178-2 uses the direction of the fastest decrease
+    instead (Sal); for isotropic surfaces both agree.
 
     Parameters
     ----------
@@ -184,8 +185,8 @@ def correlation_length(surface: Topography) -> float:
     Raises
     ------
     InvalidInput
-        If SurfaceTopography is not installed, heights are missing, the map is flat, or its heights are correlated over
-        all of it.
+        If SurfaceTopography is not installed, heights are missing, the map is flat, or the autocorrelation does not
+        fall to 0.2 within the map.
     """
     if surface.missing:
         raise InvalidInput(f"correlation_length: {surface.missing} heights are missing; take surface.filled() first.")

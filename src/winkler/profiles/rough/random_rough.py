@@ -41,13 +41,13 @@ def random_topography(spectrum: Spectrum, shape: tuple[int, int], lengths: Array
     Parameters
     ----------
     spectrum : Spectrum
-        C(q); what is longer than the map, or shorter than two pixels, is left out.
+        C(q). Waves longer than the map or shorter than two pixels are omitted.
     shape : tuple of int
         (nx, ny), pixels.
     lengths : array_like, (2,)
-        Of the map [m].
+        Lengths of the map [m].
     seed : int
-        Of the phases: equal seeds, equal surfaces.
+        Seed of the random phases; equal seeds give equal surfaces.
 
     Returns
     -------
@@ -56,7 +56,7 @@ def random_topography(spectrum: Spectrum, shape: tuple[int, int], lengths: Array
     Raises
     ------
     InvalidInput
-        If no wave of the spectrum fits the map, or the map does not fit the memory.
+        If the spectrum contains no wave that fits into the map, or the map does not fit the memory.
     """
     lx, ly = _checked(shape, lengths, seed)
     try:
@@ -134,7 +134,7 @@ def random_line(spectrum: Spectrum, count: int, length: float, seed: int) -> Arr
     count : int
         How many points.
     length : float
-        Of the line [m].
+        Length of the profiles [m].
     seed : int
         Of the phases.
 
@@ -145,7 +145,7 @@ def random_line(spectrum: Spectrum, count: int, length: float, seed: int) -> Arr
     Raises
     ------
     InvalidInput
-        If no wave of the spectrum fits the line.
+        If the spectrum contains no wave that fits into the profile.
     """
     return next(random_lines(spectrum, count, length, (seed,)))
 
@@ -163,7 +163,7 @@ def random_lines(spectrum: Spectrum, count: int, length: float, seeds: Iterable[
     Raises
     ------
     InvalidInput
-        If no wave of the spectrum fits the line.
+        If the spectrum contains no wave that fits into the profile.
     """
     step = 2.0 * np.pi / length
     power = np.zeros(count // 2 + 1)

@@ -33,9 +33,9 @@ class RandomTopography(Topography):
     shape : tuple of int
         Pixels along both directions, (nx, ny).
     seed : int, optional
-        Of the phases: equal seeds, equal surfaces.
+        Seed of the random phases; equal seeds give equal surfaces.
     periodic : bool, optional
-        Whether the map is repeated for ever (the default), or this one period stands alone.
+        Whether the map is repeated without end (the default), or consists of one period only.
 
     Raises
     ------

@@ -25,14 +25,14 @@ class RoughProfile(Topography):
     Parameters
     ----------
     topography : Topography
-        The roughness; a map that was periodic is cut out once.
+        The roughness; of a periodic map one period is used.
     profile : Profile or CurvedBodies
         f(r), or the two relative curvatures of bodies with an elliptic contact.
 
     Raises
     ------
     InvalidInput
-        If the profile is not known, or infinite, on some of the map.
+        If the profile is undefined or infinite on a part of the map.
 
     Examples
     --------

@@ -30,12 +30,13 @@ class SampledProfile(Topography):
     profile : Profile or CurvedBodies
         f(r), or the two relative curvatures of bodies with an elliptic contact.
     shape : tuple of int, optional
-        Pixels along both directions, (nx, ny); of odd numbers one pixel is on the apex, from which depths count.
+        Pixels along both directions, (nx, ny); for odd numbers the apex is the centre of a pixel, and depths are
+        counted from the apex.
 
     Raises
     ------
     InvalidInput
-        If lengths or shape are out of range, or the profile is not known, or infinite, on some of the map.
+        If lengths or shape are out of range, or the profile is undefined or infinite on a part of the map.
 
     Examples
     --------

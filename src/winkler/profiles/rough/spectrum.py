@@ -48,7 +48,7 @@ class Spectrum(Protocol):
 
     @property
     def rms_slope(self) -> float:
-        """Root mean square of the gradient [-]."""
+        """Root mean square gradient [-]."""
         ...
 
     def at(self, wave_number: Array) -> Array:
@@ -71,7 +71,7 @@ class SelfAffine:
     shortest : float
         Shortest wavelength [m].
     roll_off : float, optional
-        Wavelength [m] above which the spectrum is level; the longest one unless given.
+        Wavelength [m] above which the spectrum is level; the longest one by default.
 
     Raises
     ------
@@ -115,7 +115,7 @@ class SelfAffine:
 
     @property
     def rms_slope(self) -> float:
-        """Root mean square of the gradient [-]."""
+        """Root mean square gradient [-]."""
         bend, density = self._level
         steep = 2.0 - 2.0 * self.hurst
         ratio = math.log(self.greatest / bend)
@@ -185,7 +185,7 @@ class PowerSpectrum:
 
     @property
     def rms_slope(self) -> float:
-        """Root mean square of the gradient [-]."""
+        """Root mean square gradient [-]."""
         return math.sqrt(self._mean_square(2))
 
     def _mean_square(self, power: int) -> float:
@@ -204,9 +204,7 @@ class PowerSpectrum:
         return np.where(inside, np.exp(logs), 0.0)
 
     def joined(self, other: PowerSpectrum) -> PowerSpectrum:
-        """Return this spectrum and that of another instrument as one; where both have been measured, their mean.
-
-        The mean is that of the logarithms, weighted so that each fades out towards its own end.
+        """Return this spectrum joined with that of another instrument; in the common range it is a mean.
 
         Raises
         ------

@@ -17,7 +17,7 @@ class Spikes:
     Parameters
     ----------
     grains : ndarray of bool, (nx, ny)
-        Spots up to some four pixels wide that lie far above or below the heights around.
+        Spots up to about four pixels wide that lie far above or below the surrounding heights.
     scars : ndarray of bool, (nx, ny)
         Runs of pixels along either direction, up to three pixels wide, with a step up and a step back.
     height : ndarray, (nx, ny)
@@ -40,7 +40,7 @@ class Spikes:
 
     @property
     def where(self) -> Array:
-        """True where either was found."""
+        """Whether a pixel belongs to a grain or a scar."""
         return np.asarray(self.grains | self.scars)
 
     def __str__(self) -> str:

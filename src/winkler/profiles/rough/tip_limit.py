@@ -81,9 +81,7 @@ def _curvatures(surface: Topography, count: int) -> Iterator[tuple[float, float,
 
 
 def tip_limit(surface: Topography) -> float:
-    """Return the length [m] below which the tip has rounded a map; zero if its radius is not known, or it has not.
-
-    Both directions are looked at; the sharper summit counts.  It is as long as the map if everything is rounded.
+    """Return the length [m] below which a map is rounded by the tip; zero if it is not, or the tip is unknown.
 
     Parameters
     ----------

@@ -32,12 +32,12 @@ class Topography:
     periodic : bool, optional
         Whether the map repeats without end; otherwise (default) nothing lies outside it.
     tip_radius : float, optional
-        Radius of the scanning tip [m], which has rounded sharper features; zero if it is not known, or there was no
-        tip.
+        Radius of the scanning tip [m], which limits the sharpness of features; zero if it is not known, or there was
+        no tip.
     removed : str, optional
         Description of what was removed from the measured heights; written by `without_spikes` and `levelled`.
     reading : str, optional
-        How the heights follow from points off a grid; written by `read_topography`.
+        Interpolation of heights from points that are not on a grid; written by `read_topography`.
 
     Raises
     ------
@@ -79,7 +79,7 @@ class Topography:
 
     @property
     def area(self) -> float:
-        """Of the map [m^2]."""
+        """Area of the map [m^2]."""
         return float(self.lengths[0] * self.lengths[1])
 
     @property
@@ -140,7 +140,7 @@ class Topography:
         Raises
         ------
         InvalidInput
-            If the order is another one, or the map is periodic and would not be so without its trend.
+            If the order is not 0, 1 or 2, or the map would lose its periodicity.
         """
         return self._with(self.heights - trend_of(self.heights, order, periodic=self.periodic))
 
@@ -168,12 +168,12 @@ class Topography:
         return dataclasses.replace(self, heights=heights, removed="; ".join(filter(None, (self.removed, said))))
 
     def masked(self, where: ArrayLike) -> Topography:
-        """Return the map with some heights missing: behind a dust grain, or where an instrument has lost the surface.
+        """Return the map with some heights missing: behind a dust grain, or where an instrument has lost contact.
 
         Parameters
         ----------
         where : array_like of bool, (nx, ny)
-            True where a height is not to be trusted, such as ``surface.heights > 2e-6``.
+            True where a height is not reliable, such as ``surface.heights > 2e-6``.
 
         Raises
         ------
@@ -189,19 +189,20 @@ class Topography:
         return self._with(np.where(lost, np.nan, self.heights))
 
     def spikes(self, times: float = 4.0) -> Spikes:
-        """Return where heights are artefacts that would carry the load before the surface touches.
+        """Return artefacts of the measurement, which would carry the load before the surface does.
 
         A height is a grain or dropout if it lies outside of Tukey's fences around it: `times` the distance of the
-        quartiles above the upper or below the lower one, among the heights within four pixels; so they are found up to
-        some four pixels wide.  A scar is a run of pixels along a line, up to three pixels wide, whose steps on both
-        sides lie outside of these fences among the steps around; long runs, and what continues a scar, by half of it.
-        Structured surfaces (narrow ridges, pillars) are not for it: they resemble spikes.  J. W. Tukey, Exploratory
-        Data Analysis, Addison-Wesley 1977.
+        quartiles above the upper or below the lower one, among the heights within four pixels; grains up to about four
+        pixels wide are found.  A scar is a run of pixels along a line, up to three pixels wide, whose steps on both
+        sides lie outside of these fences among the steps around; for long runs and continuations of scars half of the
+        fences applies. Do not use it for structured surfaces (narrow ridges, pillars), which resemble spikes.  J. W.
+        Tukey, Exploratory Data Analysis, Addison-Wesley 1977.
 
         Parameters
         ----------
         times : float, optional
-            How far is too far; 4 leaves Gaussian and self-affine surfaces, and smooth shapes, as they are.
+            Threshold as a multiple of the distance of the quartiles. With 4, Gaussian and self-affine surfaces and
+            smooth shapes are not changed.
 
         Raises
         ------
@@ -240,9 +241,9 @@ class Topography:
         )
 
     def filled(self) -> Topography:
-        """Return the map with missing heights bridged, each island by the smoothest surface through its border.
+        """Return the map with missing heights interpolated smoothly from the surrounding heights.
 
-        The filled heights solve Laplace's equation, so that none lies above the highest of its border.
+        The filled heights solve Laplace's equation, so that none lies above the highest surrounding height.
         """
         if not self.missing:
             return self

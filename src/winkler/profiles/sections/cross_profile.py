@@ -47,15 +47,15 @@ class CrossProfile:
     z : array_like, (n,)
         Heights [m], up.
     smoothing : float, optional
-        Scatter of the measured points [m]; the spline stays within about so much of them.  Zero, the default, goes
-        through all points, as does one below the rounding of the places and heights.
+        Scatter of the measured points [m]; it determines the smoothing of the spline.  With zero (the default), or a
+        value below the rounding of the data, the spline passes through all points.
 
     Raises
     ------
     InvalidInput
-        If there are fewer than five points, their numbers differ, or all of the profile is steep.
+        If there are fewer than five points, the arrays differ in length, or the whole profile is steep.
     NotConverged
-        If no spline is found that leaves the points by about the smoothing.
+        If no spline with the requested smoothing is found.
 
     Examples
     --------

@@ -42,14 +42,14 @@ class MeasuredSection(Section):
     Parameters
     ----------
     places : ndarray, (n,)
-        Places along the surface [m], ascending; at least 16.
+        Positions along the surface [m], ascending; at least 16.
     heights : ndarray, (n,)
-        Heights of the gap there [m]: the lowest touch first.  For a trace with peaks pointing upwards change the sign,
-        or read it with ``read_section(path, peak=True)``.
+        Heights of the gap there [m]; the lowest points touch first.  For a trace with peaks pointing upwards change
+        the sign, or read it with ``read_section(path, peak=True)``.
 
     cut_off : bool, optional
-        Whether the body ends vertically at the first and at the last point. Otherwise its continuation is unknown, and
-        must not touch.
+        Whether the body ends vertically at the first and at the last point. Otherwise the continuation of the body is
+        unknown, and the contact must not reach it.
     curved : bool, optional
         Whether a cubic spline joins the points instead of straight lines; use it if the points are closer than the
         features of the trace.
@@ -97,12 +97,12 @@ class MeasuredSection(Section):
 
     @property
     def pads(self) -> tuple[tuple[float, float], ...]:
-        """From end to end, of a body that is cut off there."""
+        """The range from end to end, for a body that is cut off there."""
         return ((self.start, self.end),) if self.cut_off else ()
 
     @property
     def smooth(self) -> bool:
-        """No: the slope, or its second derivative, jumps at each point."""
+        """False: the slope, or a higher derivative, jumps at each point."""
         return False
 
     @property
@@ -113,7 +113,7 @@ class MeasuredSection(Section):
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """What joins the points."""
+        """A note on the interpolation between the points."""
         joined = "a cubic spline" if self.curved else "straight lines"
         text = (
             f"The section consists of {self.places.size} points joined by {joined}. Maximum pressures depend on "
@@ -123,7 +123,7 @@ class MeasuredSection(Section):
         return (Note(Assumption.SHAPE, Standing.APPROXIMATE, text, "as measured"),)
 
     def grid(self, start: float, end: float, count: int) -> Array:
-        """Return the points themselves if straight lines join even ones, otherwise so many places."""
+        """Return the measured points if they are evenly spaced and joined by lines, otherwise an even grid."""
         return self.places if self.even and not self.curved else np.linspace(start, end, count)
 
     def height(self, x: Array) -> Array:
@@ -159,18 +159,18 @@ class FormulaSection(Section):
         The height of the gap [m] in terms of ``x`` [m] and of named constants, as ``"h*cos(2*pi*x/l) + x**2/(2*R)"``;
         what `Formula` allows.  Only differences of heights count.
     width : float
-        Up to which x the formula holds [m].
+        Upper limit of x [m].
     corners : tuple of float, optional
-        Places where the slope or the curvature jumps [m].
+        Positions at which the slope or the curvature jumps [m].
     cut_off : bool, optional
-        As of `MeasuredSection`.
+        As in `MeasuredSection`.
     constants : mapping or tuple of (name, number), optional
-        The constants in SI units; they may be given by name as well, ``FormulaSection("x**2/R", 0.01, R=0.1)``.
+        The constants in SI units; they may also be keyword arguments, ``FormulaSection("x**2/R", 0.01, R=0.1)``.
 
     Raises
     ------
     InvalidInput
-        If the text is no such formula, or not finite somewhere.
+        If the text is not a valid formula, or a height is not finite.
     """
 
     __words__ = words(
@@ -232,7 +232,7 @@ class FormulaSection(Section):
 
     @property
     def pads(self) -> tuple[tuple[float, float], ...]:
-        """From end to end, of a body that is cut off there."""
+        """The range from end to end, for a body that is cut off there."""
         return ((0.0, self.width),) if self.cut_off else ()
 
     @property
@@ -255,7 +255,7 @@ class FormulaSection(Section):
         return np.asarray(self._law.taylor(np.clip(x, 0.0, self.width))[0])
 
     def slope(self, x: Array) -> Array:
-        """f'(x) [-]; at a corner that on its right."""
+        """f'(x) [-]; at a corner the slope on its right."""
         x = np.asarray(x, dtype=float)
         at = np.isin(x, self.corners)
         return np.asarray(self._law.taylor(np.clip(np.where(at, x + SIDE * self.width, x), 0.0, self.width))[1])

@@ -28,7 +28,7 @@ class MirroredSection(Section):
     profile : Profile
         Height at the distance of x from the middle, x = 0.
     width : float
-        Of the section [m]: the body ends at half of it on either side, or at the rim of the profile.
+        Width of the section [m]: the body ends at half of the width on each side, or at the rim of the profile.
 
     Raises
     ------
@@ -64,7 +64,7 @@ class MirroredSection(Section):
 
     @property
     def pads(self) -> tuple[tuple[float, float], ...]:
-        """From end to end."""
+        """The range from end to end."""
         return ((self.start, self.end),)
 
     @property

@@ -74,7 +74,7 @@ class Section:
         raise NotImplementedError(f"{type(self).__name__} must give height(x).")
 
     def slope(self, x: Array) -> Array:
-        """f'(x) [-]; at a corner that on its right."""
+        """f'(x) [-]; at a corner the slope on its right."""
         raise NotImplementedError(f"{type(self).__name__} must give slope(x).")
 
 
@@ -87,9 +87,9 @@ class CylinderRow(Section):
     curvature_radii : ndarray, (n,)
         R_i [m]: 1/R_i is the sum of the curvatures of a cylinder and the opposite body.
     places : ndarray, (n,)
-        Where their lowest lines are [m], ascending.
+        Positions of their lowest lines [m], ascending.
     drops : ndarray, (n,)
-        How much farther from the other body they are than a common plane [m].
+        Distances from a common plane away from the other body [m].
 
     Raises
     ------
@@ -118,11 +118,11 @@ class CylinderRow(Section):
 
     @property
     def carrying(self) -> tuple[float, float]:
-        """As of `Section`: beyond the radius of the last cylinder there is no place on it to roll to [m]."""
+        """As in `Section`: beyond the radius of the last cylinder there is no place on it to roll to [m]."""
         return float(self.places[0] - self.curvature_radii[0]), float(self.places[-1] + self.curvature_radii[-1])
 
     def window(self, load: float) -> tuple[float, float]:
-        """Return places [m] around all cylinders, as wide as the widest alone would touch under the load."""
+        """Return the range [m] around all cylinders that may be in contact under the load."""
         beside = 3.0 * math.sqrt(4.0 / math.pi * load * float(np.max(self.curvature_radii)))
         return float(self.places[0]) - beside, float(self.places[-1]) + beside
 
@@ -170,7 +170,7 @@ class PunchRow(Section):
     starts, ends : ndarray, (n,)
         Left and right edges of the punches [m], ascending and apart from each other.
     drops : ndarray, (n,)
-        How much farther from the other body they are than a common plane [m].
+        Distances from a common plane away from the other body [m].
 
     Raises
     ------

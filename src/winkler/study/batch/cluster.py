@@ -1,8 +1,8 @@
 """A cluster of many machines, through dask.distributed: its workers solve the points of a sweep, or fit curves.
 
-It needs the extra ``cluster`` (``pip install winkler[cluster]``) here, and the same software on the workers.
-The points of a worker that dies are solved by the others, or by new ones.  When no worker is left, and none comes for
-a while, the sweep is given up; dask would wait for ever.
+It needs the extra ``cluster`` (``pip install winkler[cluster]``) here, and the same software on the workers. The
+points of a worker that dies are solved by the others, or by new ones.  When no worker is left, and none comes for a
+while, the sweep is given up; dask would wait without end.
 """
 
 from __future__ import annotations

@@ -14,16 +14,16 @@ APPROACH_AND_RETRACTION = [
 ]
 
 STRETCHED_SPRINGS = Equation(
-    "Springs of the stiffness c_N per length follow the profile also where they are stretched, up to the edge",
+    "Springs of the stiffness c_N per length follow the profile up to the contact edge, where they are stretched",
     r"q_z(x) = c_N(x)\,\left(d-g(x)\right), \quad |x| < a, \quad s = g(a) - d > 0",
 )
 GRIFFITH = Equation(
-    "The edge is in equilibrium where the energy that it releases as it recedes equals the work of the surfaces that "
-    "open",
+    "The edge is in equilibrium if the energy released when it recedes equals the work of adhesion of the opened "
+    "surface",
     r"\frac{c_N(a)\,s^2}{2\pi a} = w, \quad s(a) = \sqrt{\frac{2\pi a w}{c_N(a)}}, \quad d(a) = g(a)-s(a)",
 )
 ADHESIVE_FORCE = Equation(
-    "Their sum is the force; so depth and force follow for every contact radius",
+    "The sum of the spring forces is the normal force; depth and force follow for every contact radius",
     r"F_N(a) = 2\int_0^a c_N\left(d-g\right)\,\mathrm{d}x, \quad k(a) = 2\int_0^a c_N\,\mathrm{d}x",
 )
 RING = Equation(
@@ -33,25 +33,25 @@ RING = Equation(
     r"d = g(a) - \frac{2\sigma_0}{E^*}\sqrt{c^2-a^2}",
 )
 RING_END = Equation(
-    "The ring ends where the surfaces stand apart as far as the attraction reaches", r"h(c) = \frac{w}{\sigma_0}"
+    "The cohesive zone ends where the gap equals the range of the attraction", r"h(c) = \frac{w}{\sigma_0}"
 )
 RINGED_FORCE = ADHESIVE_FORCE._replace(latex=r"F_N = 2\int_0^c c_N\,u\,\mathrm{d}x, \quad u(x) = d-g(x) \;\; (x < a)")
 LONG_RANGE_FORCE = Equation(
-    "Long-range attraction deforms nothing and adds to the pull; R is the radius of curvature at the apex",
+    "Long-range attraction does not deform the bodies and adds a tensile force; R is the radius of curvature at the "
+    "apex",
     r"d = g(a), \quad F_N(a) = 2\int_0^a c_N\left(d-g\right)\,\mathrm{d}x - 2\pi R w",
 )
 STABILITY = Equation(
-    "A state is stable on a machine of the stiffness k_m if it moves on as the contact grows; a dead load has k_m = 0, "
-    "fixed grips an infinite one",
+    "Condition of stability with the machine stiffness k_m (zero for a dead load, infinite for fixed grips)",
     r"\frac{\mathrm{d}}{\mathrm{d}a}\left(d + \frac{F_N}{k_m}\right) > 0",
 )
 CYCLE_LOSS = Equation(
-    "Between jumps the machine's work is stored, but for what opening costs more than closing gained; in a jump all "
-    "that the potential falls by is lost",
+    "Between jumps the work of the machine is stored, except for the hysteresis of the work of adhesion; in a jump "
+    "the decrease of the potential energy is dissipated",
     r"\mathrm{d}W = F_N\,\mathrm{d}D, \quad D = d + \frac{F_N}{k_m}",
 )
 SHEARED_EDGE = Equation(
-    "Normal and tangential springs release the energy of the surface together; the contact shrinks as it is sheared",
+    "Normal and tangential springs together release the surface energy; the contact shrinks under shear",
     r"c_N(a)\,s^2 + c_T(a)\,u_x^2 = 2\pi a w, \quad F_x = 2u_x\int_0^a c_T\,\mathrm{d}x",
 )
 
@@ -132,12 +132,12 @@ ADHESION = Chapter(
             en="peel a sphere off a surface stiction unstick pull off force separation detachment how strong does it stick adhesive strength peel tear off debonding lift-off detach critical force retract curve minimum snap-off break a bead off adhesion force tear loose remove a particle removal force",
             de="abreisskraft ablösen abziehen haftkraft wie stark haftet trennen abheben pull-off-kraft losreissen abreissen löst sich",
             fr="force d'arrachement décollement détachement force de séparation arracher force d'adhérence décolle arracher bille décolle",
-            event="at which the contact comes apart",
+            event="at which the contact separates",
             headline=("force", "depth", "radius"),
             says={"force": "the contact pulls off at {force:size}"},
-            picture=Caption("pull_off", "Where the contact comes apart", "Among all states of equilibrium, the point."),
+            picture=Caption("pull_off", "Where the contact separates", "Among all states of equilibrium, the point."),
             pictured=PicturedContact.EDGE,
-            contact_shown="the contact just before it comes apart",
+            contact_shown="the contact just before it separates",
             formulas=adhesion_formulas,
         ),
         "equilibrium": answer(
@@ -173,12 +173,12 @@ ADHESION = Chapter(
             de="annähern und zurückziehen kraft-abstands-kurve hysterese einschnappen adhäsionshysterese zyklus",
             fr="approche et retrait courbe de force hystérésis d'adhésion cycle saut cantilever",
             headline=("dissipation", "hysteresis"),
-            says={"dissipation": "the path costs {dissipation}, lost in jumps"},
+            says={"dissipation": "the path dissipates {dissipation} in jumps"},
             path={"kind": "depth", "depth": APPROACH_AND_RETRACTION},
             picture=Caption(
                 "cycle",
                 "Approach and retraction",
-                "The contact follows the states of equilibrium and jumps, along the arrows, where it becomes unstable.",
+                "The contact follows the states of equilibrium, and jumps along the arrows where it becomes unstable.",
             ),
             pictured=PicturedContact.EDGE,
             contact_shown="the widest contact of the cycle",
@@ -200,7 +200,7 @@ ADHESION = Chapter(
             picture=Caption(
                 "shear",
                 "The contact shrinks as it is sheared",
-                "Up to the tangential displacement at which no contact radius is in equilibrium any more.",
+                "The curve ends at the tangential displacement beyond which no equilibrium exists.",
             ),
             pictured=PicturedContact.EDGE,
             contact_shown="the contact under the last load, without friction",

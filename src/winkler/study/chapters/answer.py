@@ -59,8 +59,8 @@ class PicturedContact(enum.Enum):
 
     LOAD = "that of the last load"
     PATH = "that at the greatest depth of the whole path"
-    EDGE = "that of bodies that stick, with the edge where springs are stretched"
-    NONE = "none: the pictures of the answer itself hold all"
+    EDGE = "that of adhesive bodies, with stretched springs at the edge"
+    NONE = "none: the pictures of the result show everything"
 
 
 class Answer(NamedTuple):

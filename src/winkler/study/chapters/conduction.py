@@ -22,50 +22,50 @@ MEASURED_RESISTANCE = [
 ]
 
 ANALOGY = Equation(
-    "Every spring in contact conducts alike, so conductance and stiffness are in proportion (after Barber)",
+    "All springs in contact have the same conductance, so the conductance is proportional to the stiffness (Barber)",
     r"\frac{1}{R_c} = \frac{2}{E^*(\rho_1+\rho_2)}\,\frac{\mathrm{d}F_N}{\mathrm{d}d} = \frac{4a}{\rho_1+\rho_2}",
 )
 DISC = Equation(
-    "Current squeezes through the disc of the contact (after Holm), whatever the elastic medium",
+    "Constriction resistance of the circular contact (Holm), for any elastic medium",
     r"R_c = \frac{\rho_1+\rho_2}{4a}",
 )
-IN_SERIES = Equation("Leads lie in series", r"R(F_N) = R_c + R_f + R_0")
+IN_SERIES = Equation("Resistances of the leads are in series", r"R(F_N) = R_c + R_f + R_0")
 HEAT = Equation(
     "Heat flows like a current, with temperature for voltage and λ for 1/ρ",
     r"Q = \frac{\Delta T}{R}, \quad R_c = \frac{1}{4a}\left(\frac{1}{\lambda_1}+\frac{1}{\lambda_2}\right)",
 )
 FILM = Equation(
-    "A film lies in series, and spreads the current: the factor H goes from 1 to 32/(3π²) as it resists more",
+    "A film is in series and makes the current more uniform: H rises from 1 to 32/(3π²) with its resistance",
     r"R = R_c\,H(\beta) + \frac{\sigma_f}{\pi a^2}, \quad \beta = \frac{2\sigma_f}{(\rho_1+\rho_2)\,a}",
 )
 ROD = Equation(
-    "In a rod of the radius b current has less far to spread, and a length to go",
+    "In a rod of the radius b the constriction resistance is smaller, and the resistance of its length is added",
     r"R_1 = \frac{\rho_1}{4a}\,\psi\left(\frac{a}{b}\right) + \frac{\rho_1 l}{\pi b^2}, \quad "
     r"\psi = 1 - 1.40925\,\frac{a}{b} + \dots",
 )
 PLATING = Equation(
-    "A plating of the thickness h responds to every wave of current like a layer",
+    "A plating of the thickness h changes the response to each Fourier component of the current, like an elastic layer",
     r"1+M(\xi) = \frac{1+\kappa e^{-2\xi h}}{1-\kappa e^{-2\xi h}}, \quad "
     r"\kappa = \frac{\rho_{on}-\rho}{\rho_{on}+\rho}",
 )
 KOHLRAUSCH = Equation(
-    "Temperature and voltage go together along every line of current, if λρ = LT (after Kohlrausch)",
+    "Along every current line temperature and voltage are related, if λρ = LT (Kohlrausch)",
     r"T_{max}^2 = T_0^2 + \frac{V^2}{4L} \quad (V_f = 0, \; V_1 = V_2)",
 )
 UNEQUAL_VOLTAGES = Equation(
-    "With a film, or where the voltages over both bodies differ, the contact itself has",
+    "With a film, or with different voltages across the bodies, the temperature of the contact spot is",
     r"T_c^2 = T_0^2 + \frac{2V_1V_2}{L}\left(\frac{1}{2}+\frac{V_f}{V_1+V_2}\right)",
 )
 HOT_RESISTANCE = Equation(
-    "and the resistance grows along the line",
+    "and the resistance along the current line increases to",
     r"I\,\frac{R_1}{\rho_1(T_0)} = \int_0^{V_1}\frac{\mathrm{d}\phi}{\rho_1(T(\phi))}",
 )
 SPOT_INTERACTION = Equation(
-    "All spots have one voltage, and each adds to those of the others",
+    "All spots have the same voltage, to which the current of every spot contributes",
     r"V = \frac{\rho_1+\rho_2}{2\pi}\sum_j\int_{A_j}\frac{J(s)}{|r-s|}\,\mathrm{d}A",
 )
 GREENWOOD = Equation(
-    "Greenwood's estimate takes currents in proportion to the radii",
+    "Greenwood's estimate assumes currents proportional to the radii",
     r"R_G = \frac{\rho_1+\rho_2}{4\sum a_i} + "
     r"\frac{\rho_1+\rho_2}{2\pi}\,\frac{\sum_{i\ne j}a_ia_j/s_{ij}}{(\sum a_i)^2}",
 )
@@ -74,9 +74,11 @@ TANGENTS = Equation(
     "bound by tangents (after Barber)",
     r"\max_{D<d_0}\frac{F-F_s(D)}{d_0+s-D} \le k \le \min_{D>d_0+s}\frac{F_s(D)-F}{D-d_0-s}",
 )
-PROPORTION = Equation("Conductance and stiffness are in proportion", r"\frac{1}{R} = \frac{2k}{E^*(\rho_1+\rho_2)}")
+PROPORTION = Equation(
+    ("The conductance is proportional to the stiffness"), r"\frac{1}{R} = \frac{2k}{E^*(\rho_1+\rho_2)}"
+)
 STRIP = Equation(
-    "Current converges on the strip from points at the depths d₁ and d₂, and passes the film σ",
+    "Resistance between reference points at the depths d₁ and d₂, with the film resistance σ",
     r"R' = \frac{\rho_1}{\pi}\,\ln\left(\frac{d_1}{a}+\sqrt{1+\frac{d_1^2}{a^2}}\right) + "
     r"\frac{\rho_2}{\pi}\,\ln\left(\frac{d_2}{a}+\sqrt{1+\frac{d_2^2}{a^2}}\right) + \frac{\sigma}{2a}",
 )
@@ -202,7 +204,7 @@ CONDUCTION = Chapter(
             picture=Caption(
                 "measured_resistance",
                 "The measured contact resistance",
-                "Resistances over the force with the fitted ones, and what is left.",
+                "Measured and fitted resistances over the force, and their differences.",
             ),
             pictured=PicturedContact.NONE,
             formulas=(DISC, FILM, IN_SERIES),
@@ -221,7 +223,7 @@ CONDUCTION = Chapter(
             picture=Caption(
                 "contact_resistance",
                 "The contact resistance",
-                "Times the length of the contact and over the force per length, with its parts.",
+                "Resistance times contact length over the force per length, with its parts.",
             ),
             curves=(("force_per_length", "resistance_per_length"),),
             pictured=PicturedContact.NONE,
@@ -257,7 +259,7 @@ CONDUCTION = Chapter(
             picture=Caption(
                 "joule",
                 "Heating of the contact by a current",
-                "Temperature around the contact, current density over the surface, and what other voltages would heat.",
+                "Temperature around the contact, current density over the surface, and temperature over voltage.",
             ),
             formulas=joule_formulas,
         ),
@@ -277,7 +279,7 @@ CONDUCTION = Chapter(
             picture=Caption(
                 "spots",
                 "The spots",
-                "Which spots carry more current than others of their size, and the resistance of all.",
+                "Currents of the spots compared with others of their size, and the total resistance.",
             ),
             formulas=(SPOT_INTERACTION, GREENWOOD),
         ),
@@ -293,9 +295,8 @@ CONDUCTION = Chapter(
             force="10 N",
             picture=Caption(
                 "bounds",
-                "Between two smooth bodies",
-                "The force curve of the rough body lies in the shaded band; it cannot be steeper or flatter than "
-                "the lines.",
+                "Bounds from two smooth bodies",
+                "The force curve of the rough body lies in the shaded band; its slope lies between those of the lines.",
             ),
             formulas=(TANGENTS, PROPORTION),
         ),

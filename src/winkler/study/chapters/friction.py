@@ -35,55 +35,59 @@ LOOP_FORCE = [
 ]
 
 TANGENTIAL_SPRINGS = Equation(
-    "Along the surface every spring follows the body until it slides; it slides where its load reaches μ times that "
-    "across the surface",
+    "Each spring follows the tangential displacement until its tangential load reaches μ times its normal load; then "
+    "it slides",
     r"q_x(x) = c_T(x)\,u_t(x), \quad |c_T\,u_t| \le \mu\,c_N\left(d-g(x)\right)",
 )
 TWISTED = Equation(
-    "A spring at x is turned by φ x, as long as it does not slide",
+    "A spring at x that does not slide is displaced by φ x",
     r"q(x) = 8G_t\,\phi\,x, \quad \frac{1}{G_t} = \frac{1}{G_1} + \frac{1}{G_2}",
 )
 TWIST_BOUND = Equation(
-    "It slides where its load reaches the bound that the pressure of all rings farther out gives",
+    "It slides where its load reaches the bound that follows from the pressure at larger radii",
     r"|q(x)| \le 4\mu\,x\int_x^a \frac{p(r)}{\sqrt{r^2-x^2}}\,\mathrm{d}r",
 )
-TORQUE = Equation("The torque is their moment", r"M_z = 2\int_0^a x\,q(x)\,\mathrm{d}x")
-TANGENTIAL_FORCE = Equation("Their sum is the force along the surface", r"F_x = 2\int_0^a c_T\,u_t\,\mathrm{d}x")
-LOSS = Equation("What is lost in a closed cycle is the work of that force", r"W = \oint F_x\,\mathrm{d}u_x")
+TORQUE = Equation("The torque is the moment of the spring forces", r"M_z = 2\int_0^a x\,q(x)\,\mathrm{d}x")
+TANGENTIAL_FORCE = Equation(
+    ("The sum of the spring forces is the tangential force"), r"F_x = 2\int_0^a c_T\,u_t\,\mathrm{d}x"
+)
+LOSS = Equation("The dissipated energy of a closed cycle is the work of this force", r"W = \oint F_x\,\mathrm{d}u_x")
 MASING = Equation(
-    "Behind a turning point displacements and forces double; a compliance C lies in series (after Masing)",
+    "After a load reversal displacements and forces are doubled; a compliance C is in series (Masing)",
     r"|F_x-F_t| = 2f(s), \quad |x-x_t| = 2s + 2C\,f(s)",
 )
 SLIDING_SCALE = Equation(
-    "Shear force and shift of the first loading both scale with the coefficient of friction",
+    "Shear force and displacement of the first loading are both proportional to the coefficient of friction",
     r"f(s) = \mu\,g\left(\frac{s}{\mu}\right)",
 )
 COMMON_OSCILLATION = Equation(
-    "Depth and shift swing together",
+    "Depth and tangential displacement oscillate together",
     r"d = d_0 + A_z\cos(n\theta), \quad u_x = A_x\cos(m\theta+\varphi)",
 )
 RELAXED = Equation(
-    "A spring that separates in every cycle loses the load of the slow motion, once in a cycle of the duration "
-    "T; the others are a spring along the surface",
+    "A spring that separates in every cycle of the duration T loses the load due to the slow motion; all others act "
+    "as one tangential spring",
     r"F_x = k_x\,u_x + c\,\dot{u}_x, \quad k_x = 2\int_0^{a_{min}} c_T\,\mathrm{d}x",
 )
 
 PUSHED_DEEP = Equation(
-    "A spring at x bears in proportion to the shift, as long as it does not slide; it counts as much as a disc of that "
-    "radius, pushed without slip, gets stiffer",
+    "A spring at x that does not slide carries a load proportional to the displacement; its stiffness is the "
+    "increase of the stiffness of a disc of that radius without slip",
     r"h(x) = G^*\,u_x, \quad 2\,G^*\,e(x)^2 = \frac{\mathrm{d}k_x}{\mathrm{d}x}",
 )
 PUSH_SUM = Equation(
-    "It slides where that reaches the bound of rings that bear their own pressure times μ; the shear force is the sum",
+    "It slides where this load reaches the bound of annular elements with μ times their own pressure; the shear "
+    "force is the sum",
     r"|h(x)| \le b(x), \quad F_x = 2\int_0^a e(x)^2\,h(x)\,\mathrm{d}x",
 )
 TWISTED_DEEP = Equation(
-    "A spring at x bears in proportion to the angle, as long as it does not slide; it counts as much as a flat punch "
-    "of that radius gets stiffer",
+    "A spring at x that does not slide carries a load proportional to the angle; its stiffness is the increase of "
+    "the torsional stiffness of a flat punch of that radius",
     r"h(x) = 8G_t\,\phi, \quad 16\,G_t\,e(x)^2 = \frac{\mathrm{d}k_\varphi}{\mathrm{d}x}",
 )
 TORQUE_DEEP = Equation(
-    "It slides where that reaches the bound of rings that bear their own pressure; the torque is the sum",
+    "It slides where this load reaches the bound of annular elements with μ times their own pressure; the torque is "
+    "the sum",
     r"|h(x)| \le b(x), \quad M_z = 2\int_0^a e(x)^2\,h(x)\,\mathrm{d}x",
 )
 
@@ -176,8 +180,7 @@ FRICTION = Chapter(
             picture=Caption(
                 "tangential",
                 "The contact along its path",
-                "The loop of the shear force, forces and energies over time, and how the last contact sticks and "
-                "slips.",
+                "Loop of the shear force, forces and energies over time, and stick and slip of the last contact.",
             ),
             curves=(
                 ("shift", "shear_force"),
@@ -201,7 +204,7 @@ FRICTION = Chapter(
             picture=Caption(
                 "torsion",
                 "The contact along its path",
-                "The loop of the torque, forces and energies over time, and how the last contact sticks and slips.",
+                "Loop of the torque, forces and energies over time, and stick and slip of the last contact.",
             ),
             curves=(("angle", "torque"), ("time", "dissipation")),
             pictured=PicturedContact.PATH,
@@ -218,7 +221,9 @@ FRICTION = Chapter(
             headline=("loss_per_cycle", "loss_factor", "secant_stiffness", "shear_force"),
             normal={"kind": "force", "force": "100 N"},
             amplitude={"kind": "shift", "shift": "0.5 um"},
-            picture=Caption("damping", "Damping by friction", "Loss, stiffness and loss factor over the amplitude."),
+            picture=Caption(
+                "damping", "Damping by friction", ("Dissipated energy, stiffness and loss factor over the amplitude.")
+            ),
             contact_shown="the contact under its normal load, without friction",
             formulas=followed_by(tangential_formulas, LOSS),
         ),
@@ -234,7 +239,11 @@ FRICTION = Chapter(
             depth_amplitude="1 um",
             shift_amplitude="0.5 um",
             phase="90 deg",
-            picture=Caption("damping", "Damping by friction", "Loss in every closed cycle of depth and shift."),
+            picture=Caption(
+                "damping",
+                "Damping by friction",
+                ("Dissipated energy of every closed cycle of depth and tangential displacement."),
+            ),
             contact_shown="the contact at its greatest depth, without friction",
             formulas=followed_by(normal_formulas, TANGENTIAL_SPRINGS, COMMON_OSCILLATION, LOSS),
         ),
@@ -249,7 +258,9 @@ FRICTION = Chapter(
             depth="3 um",
             depth_amplitude="1 um",
             frequency="100 Hz",
-            picture=Caption("damping", "Damping by relaxation", "Stiffness and damping while the depth oscillates."),
+            picture=Caption(
+                "damping", "Damping by relaxation", ("Tangential stiffness and damping under an oscillating depth.")
+            ),
             contact_shown="the contact at its greatest depth, without friction",
             formulas=followed_by(normal_formulas, RELAXED),
         ),
@@ -266,7 +277,8 @@ FRICTION = Chapter(
             picture=Caption(
                 "loops",
                 "Measured loops",
-                "Loops of the second half of the cycles with the fitted last one, and the loss of each cycle.",
+                "Measured loops of the second half of the cycles with the fitted last loop, and the dissipated "
+                "energy of each cycle.",
             ),
             pictured=PicturedContact.NONE,
             formulas=(MASING, SLIDING_SCALE),

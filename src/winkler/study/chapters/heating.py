@@ -20,14 +20,15 @@ TWO_CYCLES = [
     {"kind": "oscillate", "lateral": {"kind": "shift", "shift": "1 um"}, "cycles": 2.0},
 ]
 
-FLUX = Equation("Friction turns into heat where the bodies press", r"q(r) = \mu\,p(r)\,v, \quad Q = \mu\,F_N\,v")
+FLUX = Equation("Frictional heat flux, proportional to the pressure", r"q(r) = \mu\,p(r)\,v, \quad Q = \mu\,F_N\,v")
 AT_REST = Equation(
-    "On a body that rests against the contact, temperature follows the flux as the surface follows the pressure",
+    "On a body at rest relative to the contact, temperature follows from heat flux as displacement follows from "
+    "pressure",
     r"T(r) = \frac{1}{\pi\lambda}\int_0^r \frac{q_1(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x, \quad "
     r"q_1(x) = 2\int_x^a \frac{q(r)\,r}{\sqrt{r^2-x^2}}\,\mathrm{d}r",
 )
 MOVING = Equation(
-    "On a body that moves at the speed V the same sum goes over all directions, each with a line load of its own",
+    "On a body that moves at the speed V the temperature is an integral over all directions, each with its line load",
     r"T(x,y) = \frac{1}{2\pi\lambda}\int_{-\pi/2}^{\pi/2} "
     r"\left[q_1(s)-\int_s^a q_1(t)\,\frac{b}{2}\,D\left(\frac{b}{2}(t-s)\right)\,\mathrm{d}t\right]\,\mathrm{d}\theta",
 )
@@ -36,40 +37,42 @@ MOVING_KERNEL = Equation(
     r"b = \frac{V}{\kappa}\,\cos\theta, \quad s = x\,\cos\theta+y\,\sin\theta, \quad D(z) = e^{-z}(I_0(z)-I_1(z))",
 )
 SHARE = Equation(
-    "The bodies share the heat; T₁ and T₂ are what each would have of all of it, their greatest or their mean",
+    "Heat partition; T₁ and T₂ are the maximum (or mean) temperatures that each body would have if it received all "
+    "heat",
     r"\alpha = \frac{T_2}{T_1+T_2}, \quad \mathrm{Pe} = \frac{V\,a}{2\kappa}",
 )
 TRANSIENT = Equation(
-    "From the beginning on, waves of temperature have grown to a part that depends on their wave number k alone",
+    "At the time t a temperature wave has reached a fraction that depends only on its wave number k",
     r"T_k(t) = T_k(\infty)\,\mathrm{erf}\left(k\sqrt{\kappa t}\right)",
 )
 CYCLE = Equation(
-    "In every cycle the surfaces turn so much into heat, f times a second",
+    "Heat generated per area in each cycle, times the frequency f",
     r"w(r) = \oint \tau\,\mathrm{d}s, \quad q(r) = f\,w(r), \quad Q = f\,W",
 )
 COMMON_SURFACE = Equation(
-    "Both bodies rest against it and take the heat in proportion to their conductivities",
+    "Both bodies are at rest; the heat is divided in proportion to their conductivities",
     r"T(r) = \frac{1}{\pi(\lambda_1+\lambda_2)}\int_0^r \frac{q_1(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x, \quad "
     r"q_1(x) = 2\int_x^a \frac{q(r)\,r}{\sqrt{r^2-x^2}}\,\mathrm{d}r",
 )
 BAND = Equation(
-    "Under an endless band each body warms up by the sum of line sources (Jaeger), with Bessel's function K₀",
+    "Under an infinitely long band the temperature of each body is the sum of line sources (Jaeger), with the Bessel "
+    "function K₀",
     r"T(x) = \frac{1}{\pi\lambda}\int_{-a}^a \mu\,p(s)\,v\,\mathrm{e}^{z}\,K_0(|z|)\,\mathrm{d}s, \quad "
     r"z = \frac{V}{2\kappa}\,(x-s)",
 )
 EVEN_BAND = Equation(
-    "Each body warms up by the sum of line sources (Jaeger), with Bessel's function K₀",
+    "The temperature of each body is the sum of line sources (Jaeger), with the Bessel function K₀",
     r"T(x) = \frac{q}{\pi\lambda}\int_{-a}^a \mathrm{e}^{z}\,K_0(|z|)\,\mathrm{d}s, \quad "
     r"z = \frac{V}{2\kappa}\,(x-s), \quad Q = 2\,a\,q",
 )
-BAND_FLUX = Equation("Friction turns into heat where the bodies press", r"q(x) = \mu\,p(x)\,v, \quad Q = \mu\,P\,v")
+BAND_FLUX = Equation("Frictional heat flux, proportional to the pressure", r"q(x) = \mu\,p(x)\,v, \quad Q = \mu\,P\,v")
 ELLIPTIC_FLUX = Equation(
-    "Friction turns into heat where the bodies press; in the direction θ the flux of Hertz' ellipse has the line load",
+    "Frictional heat is proportional to the pressure; in the direction θ the flux of Hertz' ellipse has the line load",
     r"Q = \mu\,F_N\,v, \quad q_1(s) = \frac{3Q}{4h}\left(1-\frac{s^2}{h^2}\right), \quad "
     r"h = \sqrt{a^2\cos^2\theta+b^2\sin^2\theta}",
 )
 ELLIPTIC_MOVING = Equation(
-    "On a body that moves at the speed V and the angle ψ to x temperature is the sum over all directions",
+    "On a body that moves at the speed V and the angle ψ to x, the temperature is an integral over all directions",
     r"T(x,y) = \frac{3Q}{4\pi\lambda}\int_{\psi-\pi/2}^{\psi+\pi/2} \frac{1}{h^3}\int_s^h "
     r"t\,E\left(\frac{b}{2}(t-s)\right)\,\mathrm{d}t\,\mathrm{d}\theta",
 )
@@ -129,8 +132,9 @@ HEATING = Chapter(
             picture=Caption(
                 "heating",
                 "Temperatures of the bodies",
-                "The surface of the body with the higher Peclet number, both surfaces along its motion, and the flash "
-                "temperature over the speed; of many loads or speeds, temperatures and shares over what was varied.",
+                "Surface temperature of the body with the higher Peclet number, temperatures of both surfaces along "
+                "its motion, and the flash temperature over the speed; for many loads or speeds, temperatures and "
+                "heat partition over the varied quantity.",
             ),
             formulas=heating_formulas,
         ),
@@ -158,8 +162,8 @@ HEATING = Chapter(
             picture=Caption(
                 "heating",
                 "Temperatures of the bodies",
-                "Both surfaces across the strip, and the flash temperature over the speed; of many loads or speeds, "
-                "temperatures and shares over what was varied.",
+                "Temperatures of both surfaces across the strip, and the flash temperature over the speed; for many "
+                "loads or speeds, temperatures and heat partition over the varied quantity.",
             ),
             pictured=PicturedContact.NONE,
             formulas=(MODULUS, LOAD_PROFILE, LOAD, PRESSURE, BAND_FLUX, BAND, SHARE),
@@ -183,8 +187,8 @@ HEATING = Chapter(
             picture=Caption(
                 "heating",
                 "Temperatures of the bodies",
-                "Both surfaces across the band, and the flash temperature over the speed; of many half-widths, fluxes "
-                "or speeds, temperatures and shares over what was varied.",
+                "Temperatures of both surfaces across the band, and the flash temperature over the speed; for many "
+                "half-widths, fluxes or speeds, temperatures and heat partition over the varied quantity.",
             ),
             pictured=PicturedContact.NONE,
             formulas=(EVEN_BAND, SHARE),
@@ -208,7 +212,7 @@ HEATING = Chapter(
             picture=Caption(
                 "heating",
                 "Heating of the contact",
-                "The flash temperature over time, and the surface of the first body at some moments.",
+                "The flash temperature over time, and the surface temperature of the first body at several times.",
             ),
             curves=(("time", "flash_temperature"), ("time", "first_share")),
             formulas=transient_formulas,
@@ -227,7 +231,7 @@ HEATING = Chapter(
             picture=Caption(
                 "heating",
                 "Temperature of the contact",
-                "Where the heat of a cycle is released, and the mean temperature of the surfaces.",
+                "Distribution of the heat generated in a cycle, and the mean temperature of the surfaces.",
             ),
             formulas=fretting_formulas,
         ),

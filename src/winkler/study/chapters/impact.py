@@ -10,7 +10,7 @@ from winkler.study.chapters.friction import tangential_formulas
 
 EQUATION_OF_MOTION = Equation("The force stops the body and accelerates it back", r"m\,\ddot{d} = -F_N")
 TANGENTIAL_MOTION = Equation(
-    "and along the surface it slows the body and turns it",
+    "and the tangential force changes sliding velocity and spin",
     r"m\,\dot{v}_x = -F_x, \quad I\,\dot{\omega} = \ell\,F_x, \quad \dot{u}_x = v_x - \omega\,\ell",
 )
 

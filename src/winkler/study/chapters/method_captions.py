@@ -5,7 +5,8 @@ from __future__ import annotations
 CAPTIONS = {
     "shape": (
         "The body in three dimensions",
-        "Cut open, in its indentation; the contact is ringed in red, and the darker, the higher the pressure.",
+        "The body is cut open and shown in its indentation. The contact has a red rim; darker colours mean higher "
+        "pressure.",
     ),
     "medium": (
         "The medium",
@@ -13,7 +14,7 @@ CAPTIONS = {
     ),
     "springs": (
         "The equivalent plane profile over its springs",
-        "Every spring under g(x) − d is compressed on its own; nothing else has to be solved.",
+        "Every spring under g(x) − d is compressed independently; nothing else has to be solved.",
     ),
     "line_load": (
         "The load of the springs",
@@ -22,7 +23,7 @@ CAPTIONS = {
     "pressure": ("The pressure", "p(r) of the three-dimensional contact, computed from the springs."),
     "displacement": (
         "The surface",
-        "Displacement of the surface inside and outside the contact, and the distance of the surfaces.",
+        "Displacement of the surface inside and outside the contact, and the gap between the surfaces.",
     ),
     "stress": (
         "The stress below the surface",
@@ -30,7 +31,7 @@ CAPTIONS = {
     ),
     "depths": (
         "Stresses below the contact",
-        "The greatest stress of each kind at each depth, pressed without friction.",
+        "Maximum stress of each kind at each depth, without friction.",
     ),
     "force": ("Force over depth", "F(d) from first touch to this load, the point."),
 }
@@ -39,11 +40,11 @@ CAPTIONS = {
 ADHESIVE_CAPTIONS = {
     "springs": (
         CAPTIONS["springs"][0],
-        "Springs are compressed in the middle and stretched towards the edge, where they detach.",
+        "Springs are compressed in the middle and stretched at the edge, where they separate.",
     ),
     "line_load": (
         CAPTIONS["line_load"][0],
-        "q(x), the compression times the stiffness of the springs; where they pull, the area counts negative.",
+        "q(x), the compression times the stiffness of the springs; the area of stretched springs counts negative.",
     ),
     "pressure": (
         CAPTIONS["pressure"][0],

@@ -13,62 +13,63 @@ STRONG = {"first": {"kind": "elastic", "young": "210 GPa", "poisson": 0.3, "stre
 OVAL = [{"kind": "paraboloid", "curvature_radius": radius} for radius in ("10 mm", "12 mm", "10 mm", "12 mm")]
 
 MODULUS = Equation(
-    "The two bodies act like one with the effective modulus",
+    "Effective modulus of the two bodies",
     r"\frac{1}{E^*} = \frac{1-\nu_1^2}{E_1} + \frac{1-\nu_2^2}{E_2}",
 )
 TRANSVERSE = Equation(
-    "A transversely isotropic body contributes the effective modulus (after Elliott)",
+    "Effective modulus of a transversely isotropic body (Elliott)",
     r"E^*_{TI} = \frac{2\sqrt{C_{44}}\,(C_{11}C_{33}-C_{13}^2)}"
     r"{\sqrt{C_{11}}\,\sqrt{(\sqrt{C_{11}C_{33}}-C_{13})(C_{13}+2C_{44}+\sqrt{C_{11}C_{33}})}}",
 )
 PLANE = Equation(
-    "The shape f(r) becomes the equivalent plane profile",
+    "Equivalent plane profile of the shape f(r)",
     r"g(x) = x\int_0^x \frac{f'(r)}{\sqrt{x^2-r^2}}\,\mathrm{d}r",
 )
 BACK = Equation(
-    "The plane profile g(x) was given; the body that belongs to it is",
+    "The plane profile g(x) was given; the corresponding body is",
     r"f(r) = \frac{2}{\pi}\int_0^r \frac{g(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x",
 )
 SPRINGS = Equation(
-    "Springs of the stiffness E* per length are compressed by d − g(x); the outermost just touches",
+    "Springs of the stiffness E* per length are compressed by d − g(x); the compression of the outermost spring is "
+    "zero",
     r"q_z(x) = E^*\,\left(d-g(x)\right), \quad |x| < a, \quad g(a) = d",
 )
 PINNED = Equation(
-    "Springs of the stiffness E* per length are compressed by d − g(x), up to the rim where the contact is pinned",
+    "Springs of the stiffness E* per length are compressed by d − g(x), up to the rim that limits the contact",
     r"q_z(x) = E^*\,\left(d-g(x)\right), \quad |x| < a, \quad g(a) \le d",
 )
 FORCE = Equation(
-    "Their sum is the force; stiffness and energy follow",
+    "The sum of the spring forces is the normal force; stiffness and energy follow",
     r"F_N = 2E^*\int_0^a \left(d-g(x)\right)\,\mathrm{d}x, \quad k = 2E^*a, \quad "
     r"U = E^*\int_0^a \left(d-g(x)\right)^2\,\mathrm{d}x",
 )
 PRESSURE = Equation(
-    "The springs' load gives back the pressure of the three-dimensional contact",
+    "Pressure of the three-dimensional contact, from the load of the springs",
     r"p(r) = \frac{E^*}{\pi}\left[\int_r^a \frac{g'(x)}{\sqrt{x^2-r^2}}\,\mathrm{d}x + "
     r"\frac{d-g(a)}{\sqrt{a^2-r^2}}\right]",
 )
 SURFACE = Equation(
-    "and the displacement of the surface, inside the contact and outside",
+    "and displacement of the surface inside and outside the contact",
     r"u_z(r) = \frac{2}{\pi}\int_0^{\min(r,a)} \frac{d-g(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x",
 )
 MISES = Equation(
-    "Below the surface the stresses of flat punches of all radii add up; the equivalent stress after von Mises is",
+    "Subsurface stresses are sums over flat punches of all radii; the von Mises stress is",
     r"\sigma_{vM} = \sqrt{\frac{1}{2}\left[(\sigma_r-\sigma_\theta)^2+(\sigma_\theta-\sigma_z)^2+"
     r"(\sigma_z-\sigma_r)^2\right]+3\tau_{rz}^2}",
 )
-ONSET = Equation("Yielding begins where this stress first reaches the strength", r"\max\sigma_{vM} = \sigma_Y")
+ONSET = Equation("Condition for the onset of yield", r"\max\sigma_{vM} = \sigma_Y")
 TOP = MODULUS._replace(says="The uppermost solid and the other body alone would act with the effective modulus")
 COMPLIANCE = Equation(
-    "The layers below affect long waves of pressure, which displace the surface by C per pressure",
+    "Surface displacement C per amplitude of a pressure wave; the deeper layers affect long waves",
     r"C(\xi) = \frac{2}{E^*\xi}\left(1+M(\xi)\right)",
 )
 PUNCHES = Equation(
-    "From it follow the flat punches of every radius a",
+    "This compliance gives the flat punch of radius a",
     r"\phi(x) + \int_0^a K(x,t)\,\phi(t)\,\mathrm{d}t = 1, \quad "
     r"K(x,t) = \frac{2}{\pi}\int_0^\infty M\,\cos(\xi x)\,\cos(\xi t)\,\mathrm{d}\xi",
 )
 LAYERED_SPRINGS = Equation(
-    "and from these the springs, whose stiffness changes with x",
+    "and the springs, whose stiffness varies with x",
     r"c_N(x) = E^*\,\phi(x;x)^2, \quad k(a) = 2E^*\int_0^a \phi\,\mathrm{d}x",
 )
 LAYERED_PROFILE = Equation(
@@ -78,7 +79,7 @@ LAYERED_PROFILE = Equation(
     r"h(x) = x\int_0^x \frac{f'(r)}{\sqrt{x^2-r^2}}\,\mathrm{d}r",
 )
 GRADED_SPRINGS = Equation(
-    "The modulus follows a power of the depth, and so does the stiffness of the springs",
+    "The modulus is a power of the depth, and the stiffness of the springs a power of x",
     r"E(z) = E_0\left(\frac{z}{c_0}\right)^k, \quad c_N(x) = E^*\left(\frac{x}{c_0}\right)^k, \quad "
     r"\frac{1}{E^*} = \frac{1-\nu_1^2}{h_1E_{0,1}} + \frac{1-\nu_2^2}{h_2E_{0,2}}",
 )
@@ -87,7 +88,7 @@ GRADED_PROFILE = Equation(
     r"g(x) = x^{1-k}\int_0^x \frac{f'(r)}{(x^2-r^2)^{(1-k)/2}}\,\mathrm{d}r",
 )
 GRADED_PRESSURE = Equation(
-    "Flat punches of all radii add up to the pressure of the three-dimensional contact",
+    "The pressure of the three-dimensional contact is the sum over flat punches of all radii",
     r"p(r) = \frac{E^*}{\pi c_0^k}\left[\int_r^a \frac{g'(x)}{(x^2-r^2)^{(1-k)/2}}\,\mathrm{d}x + "
     r"\frac{d-g(a)}{(a^2-r^2)^{(1-k)/2}}\right]",
 )
@@ -96,15 +97,15 @@ MEASURED = Equation(
     r"k(a) = \frac{\mathrm{d}F}{\mathrm{d}d}, \quad c_N(x) = \frac{k'(x)}{2}, \quad g(a) = d",
 )
 VARIED = Equation(
-    "Every spring is compressed by d − g(x); the outermost just touches",
+    "Every spring is compressed by d − g(x); the compression of the outermost spring is zero",
     r"q_z(x) = c_N(x)\,\left(d-g(x)\right), \quad |x| < a, \quad g(a) = d",
 )
 VARIED_PINNED = Equation(
-    "Every spring is compressed by d − g(x), up to the rim where the contact is pinned",
+    "Every spring is compressed by d − g(x), up to the rim that limits the contact",
     r"q_z(x) = c_N(x)\,\left(d-g(x)\right), \quad |x| < a, \quad g(a) \le d",
 )
 VARIED_FORCE = Equation(
-    "Their sum is the force; stiffness and energy follow",
+    "The sum of the spring forces is the normal force; stiffness and energy follow",
     r"F_N = 2\int_0^a c_N\left(d-g\right)\,\mathrm{d}x, \quad k = 2\int_0^a c_N\,\mathrm{d}x, \quad "
     r"U = \int_0^a c_N\left(d-g\right)^2\,\mathrm{d}x",
 )
@@ -113,33 +114,31 @@ SUPERPOSED = Equation(
     "it does not follow from the load of the springs alone",
     r"p(r) = \int_r^a p_1(r;x)\,g'(x)\,\mathrm{d}x + p_1(r;a)\left(d-g(a)\right)",
 )
-STRESSES = MISES._replace(
-    says="Below the surface every layer carries its part of every wave; the equivalent stress after von Mises is"
-)
+STRESSES = MISES._replace(says="Stresses in every layer are sums over waves; the von Mises stress is")
 ELLIPSE = Equation(
-    "The contact is an ellipse, the pressure a half-ellipsoid above it (after Hertz)",
+    "The contact is an ellipse, the pressure a half-ellipsoid (Hertz)",
     r"p = \frac{3F_N}{2\pi ab}\sqrt{1-\frac{x^2}{a^2}-\frac{y^2}{b^2}}",
 )
 BALL = Equation(
-    "Force and depth are those of a ball of the radius",
+    "Force and depth are those of a ball with the radius",
     r"R_{eq} = \frac{9F_N^2}{16E^{*2}d^3}",
 )
 POTENTIALS = Equation(
-    "Its potential, and this integrated along z once (H) and twice (K), give the stresses",
+    "The stresses follow from its potential and the integrals of the potential along z (once: H, twice: K)",
     r"\Phi = \frac{\pi abp_0}{2}\int_\lambda^\infty \frac{1-\frac{x^2}{a^2+s}-\frac{y^2}{b^2+s}-\frac{z^2}{s}}"
     r"{\sqrt{(a^2+s)(b^2+s)s}}\,\mathrm{d}s, \quad "
     r"2\pi\sigma_x = 2\nu\Phi_z - (1-2\nu)H_{xx} - z\Phi_{xx}",
 )
 TRACTION = Equation(
-    "A contact that slides adds those of the traction μ p, here along x (after Sackfield and Hills)",
+    "A sliding contact adds the stresses of the traction μ p, here along x (Sackfield and Hills)",
     r"2\pi\sigma_x = \mu\,[2(1+\nu)\Phi_x + 2\nu K_{xxx} - zH_{xxx}]",
 )
 BETTI = Equation(
-    "Every direction has its own g, and the force is the mean",
+    "Every direction has its own profile g; the force is the mean over all directions",
     r"F_N = 2E^*\frac{\langle aI\rangle}{\langle a\rangle}, \quad I = \int_0^a(d-g)\,\mathrm{d}x",
 )
 GREATEST = Equation(
-    "The contour is the one with the greatest force (after Barber)", r"I + a\,(d-g(a)) = \frac{F_N}{2E^*}"
+    "The contact contour is that with the maximum force (Barber)", r"I + a\,(d-g(a)) = \frac{F_N}{2E^*}"
 )
 
 HOMOGENEOUS = "winkler.media.halfspace:HomogeneousMedium"
@@ -257,7 +256,7 @@ NORMAL = Chapter(
             picture=Caption(
                 "ellipse",
                 "The contact",
-                "Pressure over the ellipse, stress below both axes; of many loads force and semi-axes.",
+                "Pressure on the ellipse and stress below both axes; for many loads force and semi-axes.",
             ),
             curves=(("depth", "force"), ("depth", "longitudinal_semi_axis"), ("depth", "lateral_semi_axis")),
             pictured=PicturedContact.NONE,
@@ -280,7 +279,8 @@ NORMAL = Chapter(
             picture=Caption(
                 "ellipse_yield",
                 "Onset of yield",
-                "The von Mises stress below both axes when yielding begins; on layers the pressure and the place.",
+                "The von Mises stress below both axes at the onset of yield; on layers the pressure and the position "
+                "of the onset.",
             ),
             pictured=PicturedContact.NONE,
             live=True,
@@ -296,7 +296,9 @@ NORMAL = Chapter(
             headline=("force", "depth", "stiffness"),
             profiles=OVAL,
             load={"kind": "depth", "depth": "1 um"},
-            picture=Caption("contour", "The contact", "Its contour, computed in the directions of the points."),
+            picture=Caption(
+                "contour", "The contact", ("Contour of the contact, computed in the directions of the points.")
+            ),
             curves=(("depth", "force"),),
             pictured=PicturedContact.NONE,
             live=True,

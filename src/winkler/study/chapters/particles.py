@@ -9,15 +9,15 @@ HALF_ELLIPSE = Equation(
     r"g(x) = \frac{A}{2}\left(1-\sqrt{1-\frac{x^2}{b^2}}\right), \quad E_c = \frac{E}{1-\nu^2}",
 )
 YIELD = Equation(
-    "While the particle is elastic it is that of a ball; it yields where its mean pressure reaches",
+    "While the particle is elastic, the ellipse is that of a ball; yield begins when the mean pressure reaches",
     r"A = 4R, \quad b = R, \quad p_Y(d) = Y\left(1.75\,e^{-4.4\,d/R}+1\right)",
 )
 SHAPED_PARTICLE = Equation(
-    "then the greatest depth D so far shapes it; yielding began at the depth d_Y",
+    "Afterwards the ellipse depends on the maximum previous depth D; d_Y is the depth at the onset of yield",
     r"b^2 = 2DR-D^2+d_Y^2-d_YR, \quad A = \frac{4\,p_Y(D)\,b}{E_c}",
 )
 ADHESIVE_EDGE = Equation(
-    "The sum of the springs is the force; attraction holds the edge at the effective depth d_e",
+    "The sum of the spring forces is the normal force; d_e is the effective depth at the edge due to adhesion",
     r"F_N = E_c\int_{-a}^{a}\left(d_e-g(x)\right)\,\mathrm{d}x, \quad g(a)-d_e = \sqrt{\frac{2\pi a w}{E_c}}",
 )
 
@@ -40,7 +40,7 @@ PARTICLES = Chapter(
             picture=Caption(
                 "particle",
                 "The particle along its path",
-                "Force and contact radius over the depth, pressed in and let go; dotted where yield begins.",
+                "Force and contact radius over the depth during loading and unloading (dotted: onset of yield).",
             ),
             curves=(("depth", "force"),),
             formulas=(HALF_ELLIPSE, YIELD, SHAPED_PARTICLE, ADHESIVE_EDGE),

@@ -20,25 +20,25 @@ TREAD = {
 }  # fmt: skip
 
 ALONG_NORMALS = Equation(
-    "The gap stands along the normals of the lower profile; on every place of contact pressures and gaps are never "
-    "negative, and one of the two is zero",
+    "The gap is measured along the normals of the lower profile; pressures and gaps are never negative, and one of "
+    "the two is zero everywhere",
     r"w = g_n+\frac{1}{\pi E^*}\int\frac{p\,\mathrm{d}A}{\rho}, \quad p \ge 0, \; w \ge 0, \; p\,w = 0",
 )
 SUMS = Equation(
-    "The upper body goes down until the vertical force is borne",
+    "The upper body is lowered until the contact carries the vertical force",
     r"F_z = \int p\,n_z\,\mathrm{d}A, \quad F_y = \int p\,n_y\,\mathrm{d}A",
 )
 CREEPAGES = Equation(
-    "Creepages are those of rigid bodies at the middle of the pressure, over the mean speed of both",
+    "Creepages of rigid bodies at the centre of pressure, relative to the mean speed of both",
     r"\xi = \frac{(v_2-v_1)_x}{V}, \quad \eta = \frac{(v_2-v_1)_t}{V}, \quad "
     r"\varphi = -\frac{1}{V}\,\frac{\mathrm{d}(v_2-v_1)_x}{\mathrm{d}s}",
 )
 SLIP_ALONG_ARC = Equation(
-    "They follow the radii of both bodies along the arc s of a patch, about the middle x₀ of its pressure",
+    "They depend on the rolling radii of both bodies along the arc s of a patch, relative to the centre of pressure x₀",
     r"w_x = \xi(s), \quad w_t = \eta(s)+\varphi(s)\,(x-x_0)",
 )
 BALANCE = Equation(
-    "Pressures and friction together bear the vertical force",
+    "Pressures and friction together carry the vertical force",
     r"F_{2z} = \int (p\,n_z-\tau_t\,t_z)\,\mathrm{d}A, \quad F_{2y} = \int (p\,n_y-\tau_t\,t_y)\,\mathrm{d}A",
 )
 
@@ -73,9 +73,9 @@ PROFILE_PAIR = Chapter(
             pixels=64,
             picture=Caption(
                 "profiles",
-                "The profiles and their places of contact",
-                "Both profiles with the places where they touch, the gap between them, and the pressure on the patch "
-                "that bears most.",
+                "The profiles and their contact patches",
+                "Both profiles with the contact patches, the gap between them, and the pressure on the patch with "
+                "the highest load.",
             ),
             pictured=PicturedContact.NONE,
             formulas=(ALONG_NORMALS, SUMS, CREEPAGES),
@@ -101,8 +101,8 @@ PROFILE_PAIR = Chapter(
             picture=Caption(
                 "rolling_profiles",
                 "Friction of the profiles while they roll",
-                "Both profiles with the places where they touch, and stick and slip with arrows of the traction on the "
-                "patches that bear most.",
+                "Both profiles with the contact patches, and stick and slip zones with arrows for the traction on "
+                "the patches with the highest load.",
             ),
             pictured=PicturedContact.NONE,
             formulas=(ALONG_NORMALS, CREEPAGES, SLIP_ALONG_ARC, PASSED, COULOMB, BALANCE),

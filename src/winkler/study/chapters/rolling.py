@@ -14,41 +14,42 @@ CURVE = {"kind": "creepages", "longitudinal": {"from": 0.0, "to": 0.006, "count"
 
 SPRINGS = Equation("Springs are compressed by d − g(x)", r"q_z(x) = E^*\,\left(d-g(x)\right), \quad |x| < a")
 KALKER = Equation(
-    "Along the surface their stiffness follows from Kalker's creep coefficients of a circle",
+    "Their tangential stiffness follows from Kalker's creep coefficients of a circle",
     r"\kappa_x = \frac{1}{2}c_{11}G, \quad \kappa_y = \frac{1}{2}c_{22}G",
 )
-RAW = Equation("Along the surface they have the stiffness of a contact at rest", r"\kappa_x = \kappa_y = G^*")
+RAW = Equation("Their tangential stiffness is that of a contact at rest", r"\kappa_x = \kappa_y = G^*")
 DRIVEN = Equation(
-    "A spring that sticks gains load for every distance rolled", r"\kappa = \sqrt{(\kappa_x\xi)^2+(\kappa_y\eta)^2}"
+    "The tangential load of a sticking spring grows with the rolling distance",
+    r"\kappa = \sqrt{(\kappa_x\xi)^2+(\kappa_y\eta)^2}",
 )
 ROLLED = Equation(
-    "It enters unstrained at the leading edge and bears no more than friction allows",
+    "A spring enters without strain at the leading edge; its tangential load is limited by friction",
     r"q_x(x) = \min\left[\mu\,q_z(y) + \kappa\,(y-x)\right], \quad x \le y < a, \quad q_x(a) = 0",
 )
-CREEP = Equation("Their sum is the creep force", r"F_x = \int_{-a}^a q_x(x)\,\mathrm{d}x")
+CREEP = Equation("The sum of the spring forces is the creep force", r"F_x = \int_{-a}^a q_x(x)\,\mathrm{d}x")
 CARRIED_LOAD = Equation(
-    "From one place to the next every spring keeps what it bears, gains its part, and is cut back to what it can bear",
+    "In every step the tangential load of a spring grows by its increment and is limited by friction",
     r"\left|q_x(x,X)\right| \le \mu\,q_z(x)",
 )
 LIMIT = Equation(
-    "What springs that never leave the contact can bear all the time is the limit of shakedown",
+    "Shakedown limit: the friction limit of the springs that never leave the contact",
     r"F_{lim} = 2\int_W^a \mu\,q_z(x)\,\mathrm{d}x",
 )
 HERTZ = Equation(
-    "Curvatures and load give the ellipse of Hertz, its larger semi-axis α and the smaller one β",
+    "Hertz' ellipse with the larger semi-axis α and the smaller one β",
     r"\frac{1}{R_\alpha} = \frac{F_N}{\pi E^*\alpha^3}\,R_D(0,1-m,1), \quad m = 1-\frac{\beta^2}{\alpha^2}",
 )
 TABLE = Equation(
-    "Every point of the contact is a spring; flexibilities follow from Kalker's coefficients",
+    "Every point of the contact is a spring, with flexibilities from Kalker's coefficients",
     r"L_1 = \frac{8a}{3c_{11}G}, \quad L_2 = \frac{8a}{3c_{22}G}, \quad L_3 = \frac{\pi a\sqrt{a/b}}{4c_{23}G}",
 )
 STRIPS = Equation(
-    "A particle that sticks gains traction on the path from the leading edge",
+    "In the stick zone the traction grows with the distance from the leading edge",
     r"-\frac{\partial\tau_x}{\partial x} = \frac{\xi}{L_1}-\frac{\varphi y}{L_3}, \quad "
     r"-\frac{\partial\tau_y}{\partial x} = \frac{\eta}{L_2}+\frac{\varphi x}{L_3}",
 )
 BOUND = Equation(
-    "up to a bound, beyond which it slides",
+    "up to the traction bound, at which the point slides",
     r"\tau \le \mu\,\frac{2F_N}{\pi ab}\left(1-\frac{x^2}{a^2}-\frac{y^2}{b^2}\right)",
 )
 
@@ -110,7 +111,7 @@ ROLLING = Chapter(
             creepage=CURVE,
             load=PRESSED,
             picture=Caption(
-                "creep", "Rolling", "The creep force, and the load of the springs at the greatest of these."
+                "creep", "Rolling", "Creep force over creepage, and the load of the springs at the largest creepage."
             ),
             curves=(
                 ("longitudinal_creepage", "longitudinal_force"),
@@ -135,8 +136,7 @@ ROLLING = Chapter(
             picture=Caption(
                 "creep",
                 "Rolling",
-                "The creep force; of the greatest of these the traction over the contact, and where it sticks and "
-                "slides.",
+                "Creep force over creepage; traction, stick and slip zones at the largest creepage.",
             ),
             curves=(
                 ("longitudinal_creepage", "longitudinal_force"),
@@ -158,7 +158,9 @@ ROLLING = Chapter(
             load=PRESSED,
             distance="0.6 mm",
             picture=Caption(
-                "start", "From rest to rolling", "The force over the distance, and the springs at some places."
+                "start",
+                "From rest to rolling",
+                ("Force over the rolling distance, and the springs at several distances."),
             ),
             curves=(("distance", "shear_force"), ("distance", "stick_share")),
             pictured=PicturedContact.PATH,
@@ -179,7 +181,7 @@ ROLLING = Chapter(
             picture=Caption(
                 "rocking",
                 "Rocking to and fro",
-                "The tangential displacement over the cycles, the springs after some of them, and the limit of shakedown.",
+                "Tangential displacement over the cycles, the springs after several cycles, and the shakedown limit.",
             ),
             curves=(("cycle", "shift"),),
             pictured=PicturedContact.PATH,

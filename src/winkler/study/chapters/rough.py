@@ -38,48 +38,48 @@ ELEMENTS = Equation(
     r"\quad p \ge 0, \; w \ge 0, \; p\,w = 0",
 )
 ATTRACTED = Equation(
-    "At every displacement the surface rests in a minimum of the energy of bodies and surfaces, next to that before",
+    "At every displacement the surface is in a local minimum of elastic and adhesive energy, reached from the "
+    "previous minimum",
     r"E = \frac{1}{2}\int p\,u\,\mathrm{d}A + \int\phi(g)\,\mathrm{d}A, \quad g = h(x,y)-d+u \ge 0",
 )
 LOST = Equation(
-    "Between jumps the machine's work is stored; in a jump all that the energy falls by is lost",
+    "Between jumps the work of the machine is stored; in a jump the decrease of the energy is dissipated",
     r"\mathrm{d}W = F_N\,\mathrm{d}d = \mathrm{d}E",
 )
-SPAN = Equation("The zone of attraction beside an edge must span some pixels", r"\ell = \frac{E^* w}{\sigma^2}")
+SPAN = Equation("The cohesive zone at the edge must be several pixels wide", r"\ell = \frac{E^* w}{\sigma^2}")
 SAME_AREA = Equation(
-    "The stiffness is that of a flat punch of the shape of the contact (after Barber)",
+    "The stiffness is that of a flat punch with the shape of the contact (Barber)",
     r"k = \frac{\mathrm{d}F_N}{\mathrm{d}d}",
 )
 PROPORTION = Equation(
-    "Conductance and stiffness are in proportion, whatever the contact looks like (after Barber)",
+    "The conductance is proportional to the stiffness, for any contact shape (Barber)",
     r"\frac{1}{R} = \frac{2k}{E^*(\rho_1+\rho_2)}",
 )
 BOUNDS = Equation(
-    "The map lies between a flat and the same flat raised by its height s; k with the index ∞ is the stiffness of the "
-    "flat",
+    "The map lies between two flats at the distance s; k with the index ∞ is the stiffness of a flat",
     r"\frac{F_N}{F_N/k_\infty+s} \le k \le k_\infty",
 )
 DISC = Equation(
-    "A disc as stiff as the contact has the radius a, and what stands above it is g",
+    "A disc with the stiffness of the contact has the radius a; the equivalent profile is g",
     r"a = \frac{k}{2E^*}, \quad g(a) = d",
 )
 SPREAD = Equation(
-    "Platings and elastic layers end the proportion of conductance and stiffness: all pixels in contact have one "
-    "voltage, with the response G of the surfaces to the flux J",
+    "With platings or elastic layers the conductance is not proportional to the stiffness: all pixels in contact "
+    "have the same voltage, with the response G to the flux J",
     r"V = \frac{\rho_1+\rho_2}{2}\,G\,J + \sigma_f\,J, \quad R = \frac{V}{\int J\,\mathrm{d}A}",
 )
-SPECTRUM = Equation("The line takes the spectrum of the surface to its own", r"C_1(q) = \pi\,q\,C(q)")
+SPECTRUM = Equation("Spectrum of the one-dimensional profile, from that of the surface", r"C_1(q) = \pi\,q\,C(q)")
 LINE = Equation(
-    "Its springs, sorted by their gaps, give the force at every depth",
+    "The springs, sorted by their gaps, give the force at every depth",
     r"F_N = E^*\Delta x\sum_{\gamma_i<d}(d-\gamma_i), \quad k = E^*\Delta x\,n(d)",
 )
 PERSSON = Equation(
-    "The part of the square that touches is Persson's",
+    "Contact fraction of the square, by Persson's theory",
     r"\frac{A}{A_0} = \mathrm{erf}\left(\frac{\sqrt{2}\,p}{E^* h'}\right)",
 )
-ON_BODY = Equation("The heights stand on the profile of the body", r"z(x) = h(x) - g(|x|)")
+ON_BODY = Equation("The heights are added to the profile of the body", r"z(x) = h(x) - g(|x|)")
 SHEARED_WAVES = Equation(
-    "Every wave of the roughness shears the elastomer at the frequency q v",
+    "Every wave of the roughness deforms the elastomer at the frequency q v",
     r"\mu = h'\,\frac{\int q^3C\,\frac{G''(qv)}{|G(qv)|}\,\mathrm{d}q}{\int q^3C\,\mathrm{d}q}",
 )
 
@@ -183,8 +183,8 @@ ROUGH = Chapter(
             picture=Caption(
                 "contact",
                 "Where the surfaces touch",
-                "Contact, pressure and distance under the last load, by boundary elements; of many loads also "
-                "force, stiffness and contact area.",
+                "Contact, pressure and gap under the last load, by boundary elements; for many loads also force, "
+                "stiffness and contact area.",
             ),
             curves=(("depth", "force"), ("force", "stiffness"), ("force", "area"), ("force", "mean_gap")),
             pictured=PicturedContact.NONE,
@@ -206,8 +206,7 @@ ROUGH = Chapter(
             picture=Caption(
                 "stuck",
                 "Approach and retraction of the attracted surface",
-                "Tension, pressure and distance at the displacement where the surfaces pull most; force, areas, work "
-                "and energy along the path.",
+                "Tension, pressure and gap at the largest tensile force; force, areas, work and energy along the path.",
             ),
             curves=(("depth", "force"), ("depth", "area"), ("depth", "energy")),
             pictured=PicturedContact.NONE,
@@ -225,9 +224,9 @@ ROUGH = Chapter(
             picture=Caption(
                 "conductance",
                 "Stiffness, conductance and contact area over the load",
-                "By boundary elements and by lines of springs with the same power spectrum; shaded grey between "
-                "Barber's bounds, which no surface of this height can leave. Through platings and between elastic "
-                "layers full contact is the only bound of the conductance.",
+                "Boundary elements, and one-dimensional foundations with the same power spectrum. The grey band lies "
+                "between Barber's bounds, which hold for every surface of this height. With platings or elastic "
+                "layers the only bound of the conductance is that of full contact.",
             ),
             curves=(("force", "stiffness"), ("force", "conductance"), ("force", "resistance")),
             pictured=PicturedContact.NONE,
@@ -246,7 +245,7 @@ ROUGH = Chapter(
             picture=Caption(
                 "reduction",
                 "Springs in place of the surface",
-                "The points were computed by boundary elements; the springs bear the same forces.",
+                "Points: boundary elements. Lines: the springs, with the same forces.",
             ),
             curves=(("depth", "force"), ("depth", "stiffness")),
             pictured=PicturedContact.NONE,
@@ -268,7 +267,8 @@ ROUGH = Chapter(
             picture=Caption(
                 "lines",
                 "Rough lines of springs",
-                "Spectrum, depth and stiffness, shaded where eight of ten lines lie; the contact area is Persson's.",
+                "Spectrum, depth and stiffness (the band contains 80 % of the random profiles); contact area by "
+                "Persson's theory.",
             ),
             curves=(("depth", "force"), ("force", "stiffness"), ("force", "area"), ("force", "mean_gap")),
             pictured=PicturedContact.NONE,
@@ -290,7 +290,8 @@ ROUGH = Chapter(
             picture=Caption(
                 "lines",
                 "Rough lines of springs under the body",
-                "Spectrum, depth and stiffness, shaded where eight of ten lines lie; the contact area is Persson's.",
+                "Spectrum, depth and stiffness (the band contains 80 % of the random profiles); contact area by "
+                "Persson's theory.",
             ),
             curves=(("depth", "force"), ("force", "stiffness"), ("force", "area")),
             pictured=PicturedContact.NONE,
@@ -308,7 +309,8 @@ ROUGH = Chapter(
             picture=Caption(
                 "friction",
                 "Friction of the rough surface on the elastomer",
-                "A trend with the velocity, no prediction; beside it the spectrum of the waves that contribute.",
+                "Trend of the friction coefficient with the velocity (not a prediction), and the spectrum of the "
+                "waves that contribute.",
             ),
             curves=(("velocity", "coefficient"),),
             pictured=PicturedContact.NONE,

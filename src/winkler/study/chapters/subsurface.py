@@ -14,8 +14,8 @@ HILL = [
 ]
 
 PIXELS = Equation(
-    "The loads of all pixels add up; of an even pressure on a rectangle, with its corners at distances X and Y "
-    "and the depth z,",
+    "Stresses are sums over all pixels; for a uniform pressure on a rectangle with corners at the distances X and Y, "
+    "at the depth z,",
     r"\sigma_{zz} = -\frac{p}{2\pi}\left[\arctan\frac{XY}{z\rho}+\frac{XYz}{\rho}"
     r"\left(\frac{1}{X^2+z^2}+\frac{1}{Y^2+z^2}\right)\right], \quad \rho^2 = X^2+Y^2+z^2",
 )
@@ -63,7 +63,7 @@ SUBSURFACE = Chapter(
             picture=Caption(
                 "depths",
                 "Stresses below the contact",
-                "The greatest stress of each kind at each depth; of an ellipse below its shorter axis.",
+                "Maximum stress of each kind at each depth; for an ellipse below its shorter axis.",
             ),
             pictured=PicturedContact.NONE,
             formulas=(MISES, MAX_SHEAR, ORTHOGONAL),
@@ -81,7 +81,7 @@ SUBSURFACE = Chapter(
             picture=Caption(
                 "below",
                 "Stresses below the surface",
-                "The pressure, and the von Mises stress at the depth of its greatest and on a plane through it.",
+                "The pressure, and the von Mises stress at the depth of its maximum and on a plane through it.",
             ),
             pictured=PicturedContact.NONE,
             formulas=(PIXELS, MISES),

@@ -28,32 +28,34 @@ OBLONG = {
 WEAKENED: dict[str, Any] = {"static_coefficient": 0.4, "kinetic_coefficient": 0.3, "distance": "10 um"}
 
 CERRUTI = Equation(
-    "Tractions along the surface displace it; r points from their place to that of the displacement",
+    "Displacement due to tangential tractions; r points from the traction to the displaced point",
     r"u = \frac{1}{\pi}\int\left(\frac{a}{r}\,\tau+\frac{b}{r^3}\,r\,(r\cdot\tau)\right)\mathrm{d}A, \quad "
     r"a+b = \frac{1}{2G_t}, \quad 2a+b = \frac{2}{G^*}",
 )
 COULOMB = Equation(
-    "Where the surfaces slip, s in a step, the traction is at its bound, along the slip",
+    "In slip zones the traction equals its bound and has the direction of the slip s of the step",
     r"|\tau| \le \mu p, \quad \tau\cdot s = \mu p\,|s|",
 )
-SHEAR_FORCE = Equation("Their sum is the force along the surface", r"F = \int\tau\,\mathrm{d}A")
-ENERGY = Equation("Friction loses in each step what slips times its traction", r"W_d = \sum\int\mu p\,|s|\,\mathrm{d}A")
+SHEAR_FORCE = Equation("The sum of the spring forces is the tangential force", r"F = \int\tau\,\mathrm{d}A")
+ENERGY = Equation("Energy dissipated in each step: traction times slip", r"W_d = \sum\int\mu p\,|s|\,\mathrm{d}A")
 
 STIFFNESSES = Equation(
-    "Of each contact the stiffness along x without slip is known; what sticks is an earlier contact, of the depth d*",
+    "The tangential stiffness without slip is known for each depth; the stick zone is the contact at a smaller depth "
+    "d*",
     r"F_x = \mu\left(F_N-F_N^*\right), \quad u_x = \mu\int_{d^*}^{d}\frac{k}{K_x}\,\mathrm{d}d'",
 )
 
 WITHOUT_SLIP = Equation(
-    "Moved as a whole without slip, across or along the surface, the contact bears the forces",
+    "Stiffnesses of the whole contact without slip, normal and tangential",
     r"K_z = \frac{\mathrm{d}F_N}{\mathrm{d}d}, \quad K_x = \frac{F_x}{u_x}, \quad K_y = \frac{F_y}{u_y}",
 )
 RATIO = Equation(
-    "A disc of bodies alike is along the surface so much less stiff than across it (Mindlin)",
+    "Ratio of tangential to normal stiffness of a disc, for bodies of the same material (Mindlin)",
     r"\frac{K_x}{K_z} = \frac{G^*}{E^*} = \frac{2\,(1-\nu)}{2-\nu}",
 )
 LOOPS = Equation(
-    "Springs under a steady normal force slip by, and lose in a cycle (Ciavarella, Jaeger, Masing)",
+    "Displacement and dissipated energy per cycle of springs under a constant normal force (Ciavarella, Jaeger, "
+    "Masing)",
     r"u = \mu\int_{F_N-F_x/\mu}^{F_N}\frac{\mathrm{d}F'}{K_x(F')}, \quad "
     r"W = 4F_x\,u-8\int_0^{F_x}u\,\mathrm{d}f",
 )
@@ -84,9 +86,9 @@ SURFACE_FRICTION = Chapter(
             path={"kind": "program", "steps": TO_AND_FRO},
             picture=Caption(
                 "surface_tangential",
-                "What sticks and what slips",
-                "Stick and slip at the end of the path with arrows of the traction, its size, and the loop of the "
-                "shear force, by boundary elements.",
+                "Stick and slip zones",
+                "Stick and slip zones at the end of the path with arrows for the traction, its magnitude, and the "
+                "loop of the shear force, by boundary elements.",
             ),
             curves=(
                 ("shift_x", "shear_force_x"),
@@ -112,8 +114,8 @@ SURFACE_FRICTION = Chapter(
             picture=Caption(
                 "reduced_friction",
                 "Springs and boundary elements under the same shear force",
-                "The loops along x and along y: springs as lines, boundary elements as points; and the stiffness of "
-                "both directions over the depth.",
+                "Loops along x and y (lines: springs, points: boundary elements), and the stiffness of both "
+                "directions over the depth.",
             ),
             curves=(("shift_x", "shear_force"), ("shift_y", "shear_force")),
             pictured=PicturedContact.NONE,
@@ -132,10 +134,10 @@ SURFACE_FRICTION = Chapter(
             medium={"kind": "half_space", "second": {"kind": "elastic"}},
             picture=Caption(
                 "joint_stiffness",
-                "The stiffness of the joint, and what it loses in a cycle",
-                "Stiffness per area across and along the surface over the nominal pressure, and their ratio beside "
-                "that of a disc; loops of the shear force, and the loss per cycle over the amplitude of the shift: "
-                "springs as lines, boundary elements as points.",
+                "Stiffness of the joint, and dissipated energy per cycle",
+                "Normal and tangential stiffness per area over the nominal pressure, and their ratio compared with "
+                "that of a disc; loops of the shear force, and dissipated energy per cycle over the displacement "
+                "amplitude (lines: springs, points: boundary elements).",
             ),
             curves=(
                 ("nominal_pressure", "areal_stiffness"),

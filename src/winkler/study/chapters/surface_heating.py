@@ -23,19 +23,18 @@ PULLS = {
     },
 }
 ROLLING_FLUX = Equation(
-    "Where it slips, friction turns into heat",
+    "Heat flux in the slip zone",
     r"q = V\,\tau\cdot s', \quad Q = \int q\,\mathrm{d}A = V\,(\xi F_x+\eta F_y+\varphi M_z)",
 )
-SLIDING_FLUX = Equation(
-    "Where the bodies rub, friction turns into heat", r"q = \tau_x\,(V_2-V_1), \quad Q = \int q\,\mathrm{d}A"
-)
+SLIDING_FLUX = Equation("Heat flux due to friction", r"q = \tau_x\,(V_2-V_1), \quad Q = \int q\,\mathrm{d}A")
 WARMED = Equation(
-    "Each body moves past the contact; the pixels add up, each a moving source (Jaeger)",
+    "Each body moves past the contact; its temperature is a sum over pixels, each a moving source (Jaeger)",
     r"T_i(x,y) = T_i^\infty+\frac{1}{2\pi\lambda_i}\int \frac{q_i}{r}\,"
     r"e^{-\frac{1}{2\kappa_i}\left(|V_i|\,r-V_i\,(x-x')\right)}\,\mathrm{d}x'\mathrm{d}y'",
 )
 CONTINUOUS = Equation(
-    "The surfaces have one temperature wherever they touch (Blok)", r"q_1+q_2 = q, \quad T_1 = T_2 \text{ where } p > 0"
+    "Both surfaces have the same temperature at each point of contact (Blok)",
+    r"q_1+q_2 = q, \quad T_1 = T_2 \text{ where } p > 0",
 )
 
 
@@ -64,8 +63,9 @@ SURFACE_HEATING = Chapter(
             picture=Caption(
                 "surface_heating",
                 "Temperatures of a contact that slides or rolls",
-                "The heat of friction, the temperature of the surface of the first body with the outline of the contact and the "
-                "place of the greatest, and both surfaces along the line through it, under the last creepage.",
+                "Frictional heat flux; surface temperature of the first body with the contact outline and the "
+                "hottest point; temperatures of both surfaces along the line through this point, under the last "
+                "creepage.",
             ),
             curves=(("heat_rate", "max_temperature"), ("heat_rate", "mean_temperature")),
             pictured=PicturedContact.NONE,

@@ -16,25 +16,26 @@ WHEEL = {
 CREEPS = {"kind": "creepages", "longitudinal": {"from": 0.0002, "to": 0.004, "count": 6, "spacing": "log"}}
 
 PASSED = Equation(
-    "Material slips, while the bodies roll by Δx, by the rigid slip less what its displacement grows",
+    "Slip while the bodies roll by Δx: the rigid slip minus the increase of the elastic displacement",
     r"s(x) = w\,\Delta x-u(x)+u(x+\Delta x), \quad w_x = \xi-\varphi y, \quad w_y = \eta+\varphi x",
 )
 CARRIED = Equation(
-    "Material slips, while the bodies roll by Δx, by the rigid slip less what its displacement grows; u' is that "
-    "of the step before",
+    "Slip while the bodies roll by Δx: the rigid slip minus the increase of the elastic displacement; u' is that of "
+    "the previous step",
     r"s(x) = w\,\Delta x-u(x)+u'(x+\Delta x), \quad w_x = \xi-\varphi y, \quad w_y = \eta+\varphi x",
 )
 DRAWN = Equation(
-    "Of dissimilar bodies u contains what pressures draw along, and tractions sink the surface",
+    "For dissimilar bodies u includes the displacement due to pressure, and tractions displace the surface normally",
     r"u_p = -\frac{\beta}{\pi E^*}\int\frac{r}{r^2}\,p\,\mathrm{d}A, \quad "
     r"u_z = \frac{\beta}{\pi E^*}\int\frac{r\cdot\tau}{r^2}\,\mathrm{d}A",
 )
 COULOMB = Equation(
-    "Where it slips, the traction is at its bound, along the slip", r"|\tau| \le \mu p, \quad \tau\cdot s = \mu p\,|s|"
+    "In slip zones the traction equals its bound and has the direction of the slip",
+    r"|\tau| \le \mu p, \quad \tau\cdot s = \mu p\,|s|",
 )
-MOMENT = Equation("They turn the first body by", r"M_z = \int(x\,\tau_y-y\,\tau_x)\,\mathrm{d}A")
+MOMENT = Equation("Moment on the first body", r"M_z = \int(x\,\tau_y-y\,\tau_x)\,\mathrm{d}A")
 RESISTANCE = Equation(
-    "What pressures draw along is lost beside the work of the creepages",
+    "Additional dissipation due to the tangential displacement by pressure",
     r"F_r = \int\tau\cdot\frac{\partial u_p}{\partial x}\,\mathrm{d}A",
 )
 
@@ -86,7 +87,8 @@ SURFACE_ROLLING = Chapter(
             picture=Caption(
                 "surface_rolling",
                 "Rolling by boundary elements",
-                "Stick and slip under the last creepage with arrows of the traction, its size, and the creep force.",
+                "Stick and slip zones under the last creepage with arrows for the traction, its magnitude, and the "
+                "creep force.",
             ),
             curves=(
                 ("longitudinal_creepage", "longitudinal_force"),
@@ -114,8 +116,8 @@ SURFACE_ROLLING = Chapter(
             picture=Caption(
                 "surface_rolling_start",
                 "From rest to rolling by boundary elements",
-                "Stick and slip at the end with arrows of the traction, its size, and creepage or force "
-                "over the distance.",
+                "Stick and slip zones at the end with arrows for the traction, its magnitude, and creepage or force "
+                "over the rolling distance.",
             ),
             curves=(
                 ("distance", "longitudinal_creepage"),

@@ -20,12 +20,13 @@ IN_AND_OUT = [
 ]
 
 PAIR = Equation(
-    "The bodies bear the same pressure, so their creep adds up, and the modulus E*(t) of the pair follows",
+    "Both bodies carry the same pressure, so their creep functions add; the modulus E*(t) of the pair follows",
     r"C(t) = \frac{1-\nu_1}{2}\,J_1(t) + \frac{1-\nu_2}{2}\,J_2(t), \quad "
     r"\int_0^t E^*(t-t')\,C(t')\,\mathrm{d}t' = t",
 )
 SERIES = Equation(
-    "The relaxation is a sum of exponentials, each of which is carried along exactly while the springs move steadily",
+    "The relaxation function is a sum of exponentials; each is integrated exactly while the springs move at constant "
+    "speed",
     r"E^*(t) = E^*_\infty + \sum_i E^*_i\,e^{-t/\tau_i}",
 )
 SHIFT = Equation("Temperature multiplies all times by one factor", r"G(t;T) = G\left(\frac{t}{a_T}\right)")
@@ -36,37 +37,40 @@ ACTIVATED = Equation(
     "which follows the law of Arrhenius", r"\ln a_T = \frac{Q}{R}\left(\frac{1}{T}-\frac{1}{T_0}\right)"
 )
 PLANE_KEPT = PLANE._replace(
-    says="Poisson's ratio does not change in time, so the shape f(r) becomes the same equivalent plane profile as on "
-    "an elastic body"
+    says=(
+        "Poisson's ratio does not change in time, so the equivalent plane profile of the shape f(r) is that of an "
+        "elastic body"
+    )
 )
 SPRINGS = Equation(
     "The load of every spring is a hereditary integral of its compression",
     r"q(x,t) = \int_0^t E^*(t-t')\,\frac{\partial u(x,t')}{\partial t'}\,\mathrm{d}t', \quad u = d(t)-g(x)",
 )
 DETACHMENT = Equation(
-    "A spring detaches where it would pull; it then recovers without a load, until the body touches it again",
+    "A spring separates when its load would become tensile; it then recovers without load until the body touches it "
+    "again",
     r"q(x,t) = 0 \quad \mathrm{until} \quad d(t)-g(x) \ge u(x,t)",
 )
-FORCE = Equation("Their sum is the force", r"F_N(t) = 2\int_0^{a(t)} q(x,t)\,\mathrm{d}x")
+FORCE = Equation("The sum of the spring forces is the force", r"F_N(t) = 2\int_0^{a(t)} q(x,t)\,\mathrm{d}x")
 PRESSURE = Equation(
-    "and the springs' load gives back the pressure of the three-dimensional contact",
+    "and the load of the springs gives the pressure of the three-dimensional contact",
     r"p(r,t) = -\frac{1}{\pi}\int_r^{a(t)} \frac{\partial q}{\partial x}\,\frac{\mathrm{d}x}{\sqrt{x^2-r^2}}",
 )
 ENERGY = Equation(
-    "What the body has spent is stored in the springs, also in those that have detached, or lost",
+    "The work of the body is stored in the springs (also in separated ones) or dissipated",
     r"\int F_N\,\mathrm{d}d = U(t) + W(t)",
 )
 CREEP = Equation(
-    "The contact only grows, so the elastic solution holds with the load replaced by its hereditary integral (Lee and "
-    "Radok); F₁ is the force at a modulus of one",
+    "The contact only grows, so the elastic solution holds with the hereditary integral of the load (Lee and Radok); "
+    "F₁ is the force for a modulus of one",
     r"F_1(d(t)) = F_N\,C(t)",
 )
 RELAXATION = Equation(
-    "The contact stays as it is, so the force falls as the modulus does; F₁ is the force at a modulus of one",
+    "The contact does not change, so the force is proportional to the modulus; F₁ is the force for a modulus of one",
     r"F_N(t) = E^*(t)\,F_1(d)",
 )
 COMPLEX_STIFFNESS = Equation(
-    "About the relaxed contact the bodies meet a complex stiffness",
+    "Complex stiffness for oscillations about the relaxed contact",
     r"k'+\mathrm{i}k'' = 2a\,E^*(\mathrm{i}\omega), \quad \tan\delta = \frac{k''}{k'}",
 )
 DYNAMIC = Equation(
@@ -74,11 +78,11 @@ DYNAMIC = Equation(
     r"E^*(\mathrm{i}\omega) = E^*_\infty + \sum_i E^*_i\,\frac{\mathrm{i}\omega\tau_i}{1+\mathrm{i}\omega\tau_i}",
 )
 RESTITUTION = Equation(
-    "Restitution is what is left of the velocity, and the rest of the energy is lost",
+    "Coefficient of restitution, and dissipated energy",
     r"W = \frac{1}{2}mv^2\left(1-e^2\right)",
 )
 PROPORTIONAL = Equation(
-    "All parts of the bodies relax in proportion: at any time they are the elastic ones times one function",
+    "All moduli relax in proportion: they are the elastic moduli times one function of time",
     r"E(z,t) = E(z)\,\varphi(t), \quad \varphi(t) = \frac{G(t)}{G}",
 )
 SAME_PROFILE = Equation(
@@ -91,31 +95,30 @@ VARIED = Equation(
 )
 
 LAYERS = Equation(
-    "Each layer relaxes by its own law: every wave of the springs' load sinks by a creep function of its own, the "
-    "compliance of the stack with the moduli at a rate s",
+    "Layers with separate relaxation functions: creep function of each wave of the line load, from the compliance of "
+    "the stack with the moduli at the Laplace variable s",
     r"U(\xi,t) = \int_0^t c(\xi,t-t')\,\frac{\partial Q(\xi,t')}{\partial t'}\,\mathrm{d}t', \quad "
     r"c(\xi,t) = c_0(\xi) + \sum_m c_m(\xi)\left(1-e^{-t/\lambda_m}\right)",
 )
 BIOT = Equation(
-    "At a rate s the dilatation e of each wave diffuses; the liquid flows to the surface, where its pressure p is "
-    "zero, and does not pass the base (Biot)",
+    "At the Laplace variable s the dilatation e of each wave obeys a diffusion equation; the liquid pressure p is "
+    "zero at the surface, and no liquid passes the base (Biot)",
     r"\frac{\partial^2e}{\partial z^2} = \left(\xi^2+\frac{s}{D}\right)e, \quad "
     r"\varphi = \frac{2G\,(1-\nu)}{1-2\nu}\,e - p, \quad "
     r"\frac{\partial^2\varphi}{\partial z^2} = \xi^2\varphi",
 )
 SEEPING = Equation(
-    "Every wave of the springs' load sinks by a creep function of its own, from that of an incompressible film to that "
-    "of the drained network",
+    "Creep function of each wave of the line load, from that of an incompressible film to that of the drained network",
     r"U(\xi,t) = \int_0^t c(\xi,t-t')\,\frac{\partial Q(\xi,t')}{\partial t'}\,\mathrm{d}t', \quad "
     r"c(\xi,t) = c_0(\xi) + \sum_m c_m(\xi)\left(1-e^{-t/\lambda_m}\right)",
 )
 PRESSED = Equation(
-    "Where the bodies touch the displacement of the springs follows from the depth and the profile h on a homogeneous "
-    "body; elsewhere there is no load, and the load vanishes at the edge",
+    "In contact the displacement follows from the depth and the profile h of a homogeneous body; outside the load is "
+    "zero, and it vanishes at the edge",
     r"u(x,t) = d(t)-h(x), \quad |x| < a(t), \quad q(x,t) = 0, \quad |x| \ge a(t)",
 )
 PUNCH = Equation(
-    "About the relaxed contact the bodies meet the stiffness of a flat punch with the complex compliance of every wave",
+    "Stiffness for oscillations about the relaxed contact: a flat punch with the complex compliance of every wave",
     r"\int c(\xi,\mathrm{i}\omega)\,Q(\xi)\,\cos\xi x\,\frac{\mathrm{d}\xi}{\pi} = 1, \quad "
     r"k'+\mathrm{i}k'' = 2\int_0^a q\,\mathrm{d}x",
 )
@@ -203,8 +206,8 @@ VISCOELASTIC = Chapter(
             picture=Caption(
                 "relaxing",
                 "The contact along its path",
-                "Force, depth, contact radius and energies; springs and pressure of a late contact, with the "
-                "springs that have detached and recover.",
+                "Force, depth, contact radius and energies; springs and pressure of a late contact, with separated "
+                "springs that recover.",
             ),
             curves=(("depth", "force"), ("time", "force"), ("time", "depth"), ("time", "dissipation")),
             pictured=PicturedContact.NONE,
@@ -257,7 +260,8 @@ VISCOELASTIC = Chapter(
             picture=Caption(
                 "harmonic",
                 "A small oscillation",
-                "Force in phase with the motion and a quarter of a turn ahead of it, and the ratio of both.",
+                "Storage stiffness (in phase with the motion), loss stiffness (a quarter of a cycle ahead), and "
+                "their ratio.",
             ),
             curves=(
                 ("angular_frequency", "storage_stiffness"),
@@ -281,7 +285,9 @@ VISCOELASTIC = Chapter(
             velocity="1 m/s",
             count=100,
             tolerance=1e-3,
-            picture=Caption("impact", "The impact", "Force, velocity, depth and contact until the body leaves."),
+            picture=Caption(
+                "impact", "The impact", ("Force, velocity, depth and contact radius until the body separates.")
+            ),
             curves=(("depth", "force"), ("time", "force"), ("time", "velocity")),
             pictured=PicturedContact.NONE,
             formulas=followed_by(_hereditary_formulas, EQUATION_OF_MOTION, RESTITUTION),

@@ -17,56 +17,65 @@ from winkler.study.chapters.viscoelastic import (
 )
 
 ALONG = Equation(
-    "Along the surface the load of every spring is a hereditary integral of its shift; its modulus relaxes as that "
-    "across the surface does, since Poisson's ratios are constant",
+    "The tangential load of every spring is a hereditary integral of its displacement; normal and tangential moduli "
+    "relax alike, because Poisson's ratios are constant",
     r"q_x(x,t) = \int_0^t G^*(t-t')\,\frac{\partial u_t(x,t')}{\partial t'}\,\mathrm{d}t'",
 )
-SLIDES = Equation("It slides where that reaches what friction bears", r"|q_x(x,t)| \le \mu\,q(x,t)")
-SHIFTED = Equation("The sum is the force along the surface", r"F_x(t) = 2\int_0^{a(t)} q_x(x,t)\,\mathrm{d}x")
+SLIDES = Equation("The spring slides where this load reaches the friction limit", r"|q_x(x,t)| \le \mu\,q(x,t)")
+SHIFTED = Equation(
+    ("The sum of the spring forces is the tangential force"), r"F_x(t) = 2\int_0^{a(t)} q_x(x,t)\,\mathrm{d}x"
+)
 LOSSES = Equation(
-    "What was spent is stored, lost in the bodies, or lost to friction",
+    "The work is stored, dissipated in the bodies, or dissipated by friction",
     r"\int F_N\,\mathrm{d}d + \int F_x\,\mathrm{d}u_x = U + W_b + W_f",
 )
 CYCLE_LOSSES = Equation(
-    "In a cycle that repeats nothing is stored: what it costs is lost in the bodies, or to friction",
+    "In a periodic cycle the work is dissipated in the bodies or by friction",
     r"\oint F_N\,\mathrm{d}d + \oint F_x\,\mathrm{d}u_x = W_b + W_f",
 )
 AROUND = Equation(
-    "Around the axis too, of the angle; it slides where that reaches what the pressure of all rings farther out lets it "
-    "bear",
+    "In torsion the load is a hereditary integral of the angle; the spring slides at the bound that follows from the "
+    "pressure at larger radii",
     r"q_\theta(x,t) = x\int_0^t 8\,G_t(t-t')\,\frac{\mathrm{d}\varphi}{\mathrm{d}t'}\,\mathrm{d}t', \quad "
     r"|q_\theta| \le 4\mu\,x\int_x^a \frac{p(r,t)\,\mathrm{d}r}{\sqrt{r^2-x^2}}",
 )
-TURNED = Equation("The moment of all is the torque", r"M_z(t) = 2\int_0^{a(t)} x\,q_\theta(x,t)\,\mathrm{d}x")
+TURNED = Equation(
+    ("The torque is the moment of the spring forces"), r"M_z(t) = 2\int_0^{a(t)} x\,q_\theta(x,t)\,\mathrm{d}x"
+)
 TWIST_LOSSES = Equation(
-    "What was spent is stored, lost in the bodies, or lost to friction",
+    "The work is stored, dissipated in the bodies, or dissipated by friction",
     r"\int F_N\,\mathrm{d}d + \int M_z\,\mathrm{d}\varphi = U + W_b + W_f",
 )
 PASSING_SPRINGS = Equation(
-    "In the frame of the body, every spring is compressed from the leading edge on, and relaxes below it",
+    "In the frame of the body, every spring is compressed from the leading edge on, and relaxes under the body",
     r"q(x) = \int_x^a E^*\left(\frac{x'-x}{v}\right)\,g'(x')\,\mathrm{d}x'",
 )
-BORNE_LOAD = Equation("until it detaches; the sum is the force", r"F_N = \int_{x_2}^a q(x)\,\mathrm{d}x")
+BORNE_LOAD = Equation(
+    ("until it separates; the sum of the spring forces is the normal force"), r"F_N = \int_{x_2}^a q(x)\,\mathrm{d}x"
+)
 RESISTANCE = Equation(
-    "The front bears more than the back, and so the line of springs resists; the body resists less, by what oblique "
-    "waves do not lose",
+    "The front carries more load than the back, so the one-dimensional foundation resists the motion; the resistance "
+    "of the body is lower by a three-dimensional correction",
     r"F_{x,1} = \int_{x_2}^a q(x)\,g'(x)\,\mathrm{d}x",
 )
 RELAXED = Equation(
-    "The body is taken as relaxed; springs follow the profile also where they are stretched, up to the edge",
+    "The body is assumed fully relaxed; springs follow the profile up to the edge, where they are stretched",
     r"q(x) = c_N(x)\,\left(d-g(x)\right), \quad |x| < a, \quad F_N = 2\int_0^a q\,\mathrm{d}x",
 )
 OPENING = Equation(
-    "The speed of the edge follows from the energy released there, by the law of Gent and Schultz",
+    "The speed of the contact edge follows from the energy release rate by the law of Gent and Schultz",
     r"\frac{c_N(a)\,(g(a)-d)^2}{2\pi a} = w_0\left[1+\left(\frac{|\dot{a}|}{v_0}\right)^n\right]",
 )
 SATURATING = Equation(
-    "The speed of the edge follows from the energy released there; at high speed the work has a limit",
+    "The speed of the contact edge follows from the energy release rate; at high speed the work of adhesion has a "
+    "limit",
     r"\frac{c_N(a)\,(g(a)-d)^2}{2\pi a} = w(|\dot{a}|), \quad w(0) = w_0, \quad w(v_0) = \frac{w_0+w_\infty}{2}, "
     r"\quad w \to w_\infty",
 )
-MACHINE = Equation("while the far end of the machine moves on", r"D(t) = d + \frac{F_N}{k_m}")
-SPENT_WORK = Equation("Of the machine's work what is not stored is lost", r"\int F_N\,\mathrm{d}D = U + W")
+MACHINE = Equation("while the drive of the machine moves", r"D(t) = d + \frac{F_N}{k_m}")
+SPENT_WORK = Equation(
+    ("The part of the machine's work that is not stored is dissipated"), r"\int F_N\,\mathrm{d}D = U + W"
+)
 
 
 def _peeling_formulas(problem: Any) -> tuple[Equation, ...]:
@@ -109,8 +118,8 @@ VISCOELASTIC_SURFACES = Chapter(
             picture=Caption(
                 "sliding",
                 "Resistance to sliding or rolling",
-                "Resistance and coefficient of friction over the speed, and the springs under the body where it is "
-                "greatest.",
+                "Resistance and coefficient of friction over the speed, and the springs at the speed of maximum "
+                "resistance.",
             ),
             curves=(("speed", "coefficient"), ("speed", "shear_force"), ("speed", "depth")),
             pictured=PicturedContact.NONE,
@@ -140,7 +149,8 @@ VISCOELASTIC_SURFACES = Chapter(
             picture=Caption(
                 "pulled_off",
                 "Pull-off from rubber",
-                "Force over the travel of the machine, depth and contact over time, and the speed of the edge.",
+                "Force over the travel of the machine, depth and contact radius over time, and the speed of the "
+                "contact edge.",
             ),
             curves=(("position", "force"), ("time", "radius"), ("time", "crack_speed")),
             pictured=PicturedContact.NONE,
@@ -154,8 +164,8 @@ VISCOELASTIC_SURFACES = Chapter(
             picture=Caption(
                 "dragged",
                 "The contact along its path",
-                "The loop of the shear force, forces, energies and the contact over time; springs and their loads "
-                "of a late contact, with those that have detached and recover.",
+                "Loop of the shear force; forces, energies and contact radius over time; springs and loads of a late "
+                "contact, with separated springs that recover.",
             ),
             curves=(("shift", "shear_force"), ("time", "shear_force"), ("time", "dissipation")),
             pictured=PicturedContact.NONE,
@@ -167,7 +177,7 @@ VISCOELASTIC_SURFACES = Chapter(
             picture=Caption(
                 "dragged",
                 "The contact along its path",
-                "The loop of the torque, forces, energies and the contact over time; springs and their loads of a late "
+                "Loop of the torque; torques, energies and contact radius over time; springs and loads of a late "
                 "contact.",
             ),
             curves=(("angle", "torque"), ("time", "torque"), ("time", "dissipation")),
@@ -178,7 +188,9 @@ VISCOELASTIC_SURFACES = Chapter(
             "winkler.problems.friction.damping:FrictionDamping",
             headline=("loss_per_cycle", "friction_loss", "bulk_loss", "loss_factor", "secant_stiffness", "shear_force"),
             picture=Caption(
-                "damping", "Damping by friction", "Losses and loss factor over the amplitude, and the greatest loop."
+                "damping",
+                "Damping by friction",
+                ("Dissipated energies and loss factor over the amplitude, and the largest loop."),
             ),
             pictured=PicturedContact.NONE,
             formulas=followed_by(relaxing_formulas, SPRINGS, FORCE, ALONG, SLIDES, SHIFTED, CYCLE_LOSSES),
@@ -186,7 +198,11 @@ VISCOELASTIC_SURFACES = Chapter(
         "bimodal_damping": answer(
             "winkler.problems.friction.bimodal_damping:BimodalDamping",
             headline=("loss_per_cycle", "friction_loss", "bulk_loss", "pressing_loss", "loss_stiffness"),
-            picture=Caption("damping", "Damping by friction", "Loss in every closed cycle of depth and shift."),
+            picture=Caption(
+                "damping",
+                "Damping by friction",
+                ("Dissipated energy of every closed cycle of depth and tangential displacement."),
+            ),
             pictured=PicturedContact.NONE,
             formulas=followed_by(relaxing_formulas, SPRINGS, DETACHMENT, FORCE, ALONG, SLIDES, SHIFTED, CYCLE_LOSSES),
         ),

@@ -10,41 +10,42 @@ STEEL = {"kind": "archard", "rate": "1e-5 mm^3/(N m)"}
 CYCLE_COUNTS = [0.0, 100.0, 1000.0, 3000.0, 10000.0]
 
 FRETTING_SPRINGS = Equation(
-    "Pushed to and fro by the amplitude U, every spring sticks until its load reaches the friction",
+    "Under the displacement amplitude U every spring sticks until its load reaches the friction limit",
     r"u_t(x) = \min\left(U, \mu\,\frac{E^*}{G^*}\,(d-g(x))\right)",
 )
 SLIP = Equation(
-    "What they fall short is the slip of the surfaces, restored around the axis",
+    "Slip of the surfaces, from the difference between U and the displacement of the springs",
     r"s(r) = \frac{2}{\pi}\int_0^r \frac{U-u_t(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x",
 )
 FRETTING_RATE = Equation(
-    "In a cycle every point slips four times that far, and its worn depth grows with the pressure (for Archard's law)",
+    "In each cycle every point slips four times this distance; the worn depth is proportional to the pressure "
+    "(Archard's law)",
     r"\frac{\mathrm{d}f}{\mathrm{d}n} = 4\,\kappa\,p(r)\,s(r)",
 )
 SLIDING_RATE = Equation(
-    "Where a surface slides, its worn depth grows with pressure and distance (for Archard's law)",
+    "In sliding, the worn depth is proportional to pressure and sliding distance (Archard's law)",
     r"\frac{\mathrm{d}f}{\mathrm{d}s} = \kappa\,p(r)",
 )
 UPDATED_SPRINGS = Equation(
-    "The worn profile is transformed anew after each step; the worn depth changes the plane profile by",
+    "The worn profile is transformed after each step; the worn depth changes the plane profile by",
     r"\Delta g(x) = \Delta f(0) + x\int_0^x \frac{\Delta f'(r)}{\sqrt{x^2-r^2}}\,\mathrm{d}r",
 )
 CORE = Equation("The stick zone ends at c", r"G^*\,U = \mu\,E^*\,(d-g(c))")
 LIMIT = Equation(
-    "and in the end it carries all of the load: the worn surface is that which its pressure leaves the other one",
+    "Finally the stick zone carries the whole load; the worn surface matches the displacement due to its pressure",
     r"f_\infty(r) = d-u(r) = \frac{2}{\pi}\left(\int_0^c \frac{g(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x "
     r"+ d\,\arccos\frac{c}{r}\right)",
 )
 SLID_ELLIPSE = Equation(
-    "While little is worn, the slider of an elliptic contact loses in proportion to Hertz' pressure",
+    "As long as the wear is small, the worn depth of the slider is proportional to Hertz' pressure",
     r"h(x,y) = \kappa_1\,p_0\,s\,\sqrt{1-\frac{x^2}{a^2}-\frac{y^2}{b^2}}, \quad V = \kappa_1\,F\,s",
 )
 TRACK = Equation(
-    "and n passes in a direction at the angle θ to x wear a track of parabolic section",
+    "and n passes at the angle θ to x wear a track of parabolic cross-section",
     r"h(t) = n\,\kappa_2\,\frac{3F}{4w}\left(1-\frac{t^2}{w^2}\right)",
 )
 TRACK_WIDTH = Equation(
-    "whose half-width is that of the ellipse across the sliding",
+    "whose half-width is that of the ellipse across the sliding direction",
     r"w = \sqrt{a^2\sin^2\theta+b^2\cos^2\theta}",
 )
 
@@ -110,7 +111,8 @@ WEAR = Chapter(
             picture=Caption(
                 "sliding",
                 "Worn by sliding",
-                "Profiles, worn depth and pressure after some distances; contact, volume and mean pressure over them.",
+                "Profiles, worn depth and pressure after several distances; contact, wear volume and mean pressure "
+                "over the distance.",
             ),
             curves=(("distance", "worn_volume"), ("distance", "radius"), ("distance", "mean_pressure")),
             pictured=PicturedContact.NONE,
@@ -132,8 +134,8 @@ WEAR = Chapter(
             picture=Caption(
                 "elliptic_wear",
                 "Worn by sliding",
-                "The worn depth of the slider over the ellipse, with the direction of sliding, and the section of the "
-                "track.",
+                "Worn depth of the slider over the ellipse with the direction of sliding, and the cross-section of "
+                "the track.",
             ),
             pictured=PicturedContact.NONE,
             formulas=(ELLIPSE, SLID_ELLIPSE, TRACK, TRACK_WIDTH),
@@ -152,7 +154,7 @@ WEAR = Chapter(
             picture=Caption(
                 "limit",
                 "Where wear ends",
-                "The profile in the end, what was worn off, and the pressure, which the stick zone alone carries then.",
+                "Final profile, worn depth, and final pressure, which acts in the stick zone only.",
             ),
             pictured=PicturedContact.NONE,
             formulas=followed_by(normal_formulas, CORE, LIMIT),

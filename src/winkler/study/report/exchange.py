@@ -36,7 +36,7 @@ PRINCIPAL_AXIS = ("principal_axis", ("greatest", "middle", "least"))
 
 
 def to_xarray(answer: Any) -> xarray.Dataset:
-    """Return an answer as an xarray dataset.
+    """Return a solution or other result as an xarray dataset.
 
     Parameters
     ----------
@@ -46,11 +46,10 @@ def to_xarray(answer: Any) -> xarray.Dataset:
     Returns
     -------
     xarray.Dataset
-        Every quantity with a unit in the glossary, in SI units.  Dimensions: ``load`` for many loads or the points
-        of a path; the places of fields (``r``, ``z`` or ``x``, ``y``, ``z``); the keys of the sweep of
-        an outcome.  Each variable has the attributes ``units``, ``long_name`` and ``symbol``.  That of a solution
-        has its validity notes as the attribute ``validity``, and its study as ``study``, where a study file
-        can hold it.
+        Every quantity with a unit in the glossary, in SI units.  Dimensions: ``load`` for many loads or the points of
+        a path; the places of fields (``r``, ``z`` or ``x``, ``y``, ``z``); the keys of the sweep of an outcome.  Each
+        variable has the attributes ``units``, ``long_name`` and ``symbol``.  For a solution the dataset has the
+        attributes ``validity`` (its notes) and, if available, ``study`` (its study file).
 
     Raises
     ------
@@ -89,7 +88,7 @@ def to_xarray(answer: Any) -> xarray.Dataset:
 
 
 def to_pandas(answer: Any) -> pandas.DataFrame:
-    """Return an answer as a pandas table.
+    """Return a solution or other result as a pandas table.
 
     Parameters
     ----------

@@ -275,7 +275,7 @@ Finite: TypeAlias = Annotated[float, FINITE]
 Positive: TypeAlias = Annotated[float, POSITIVE]
 NonNegative: TypeAlias = Annotated[float, NON_NEGATIVE]
 PositiveNotTiny: TypeAlias = Annotated[float, NOT_TINY]
-"""A positive number whose tiniest values would keep solvers busy for ever."""
+"""A positive number whose tiniest values would keep solvers busy without end."""
 PositiveOrInfinite: TypeAlias = Annotated[float, POSITIVE_OR_INFINITE]
 PositiveOfAnySize: TypeAlias = Annotated[float, POSITIVE._replace(sized=False)]
 """A positive number whose unit is a power that other fields decide about, so that its size is not checked."""

@@ -43,7 +43,7 @@ CONTACT: dict[str, Word] = {
     "scatter": Word("s", "N", "root mean square misfit of a measured force curve"),
     "mindlin_ratio": Word("c_T/c_N", "", "tangential over normal stiffness of the springs"),
     "position": Word("x_i", "m", "places of the springs"),
-    "width": Word(r"\Delta x_i", "m", "length of line that each spring stands for"),
+    "width": Word(r"\Delta x_i", "m", "length of the foundation that each spring represents"),
     "count": Word("n", "", "how many"),
     # fields
     "r": Word("r", "m", "distance from the axis"),
@@ -65,7 +65,7 @@ CONTACT: dict[str, Word] = {
     "long_axis_shear": Word(r"\tau_\mathrm{long}", "Pa", "orthogonal shear stress along the longer semi-axis"),
     "long_axis_shear_depth": Word(r"z_\mathrm{long}", "m", "depth of the orthogonal shear along the longer semi-axis"),
     "y": Word("y", "m", "place along the surface, across the first direction"),
-    "traction": Word(r"\tau", "Pa", "traction along the surface with which the second body drags the first"),
+    "traction": Word(r"\tau", "Pa", "tangential traction of the second body on the first"),
     "tangential_displacement": Word("u_x", "m", "displacement of the surface along the traction, sum over both bodies"),
     "slip": Word("s", "m", "how far the surfaces have slipped against each other"),
     "hoop_displacement": Word(r"u_\theta", "m", "displacement of the surface around the axis, sum over both bodies"),

@@ -46,7 +46,7 @@ RUBBING: dict[str, Word] = {
     "laws": Word("", None, "how the bodies wear"),
     "rate": Word(r"\kappa", "1/Pa", "worn volume per force and slip"),
     "elapsed": Word("", None, "how far wear has come: cycles, or distance slid [m]"),
-    "jump": Word("", None, "how far the next jump of a march goes"),
+    "jump": Word("", None, "size of the next step"),
     "worn": Word(r"\Delta f", "m", "what was worn off, of both bodies together"),
     "first_worn": Word(r"\Delta f_1", "m", "what the first body has lost"),
     "second_worn": Word(r"\Delta f_2", "m", "what the second body has lost"),
@@ -137,7 +137,7 @@ RUBBING: dict[str, Word] = {
     "flux": Word("q", "W/m^2", "heat per area and time"),
     "march": Word("", None, "the answer along the path"),
     "misfit": Word("", "", "relative difference of two methods for the same number"),
-    "swing": Word(r"\Delta T", "K", "how far the temperature swings about its mean, estimated"),
+    "swing": Word(r"\Delta T", "K", "estimated temperature amplitude about the mean"),
     "temperature_drop": Word(r"\Delta T", "K", "temperature of the first body far away less that of the second"),
     "first_drop": Word(r"\Delta T_1", "K", "how far the temperature falls within the first body"),
     "second_drop": Word(r"\Delta T_2", "K", "how far the temperature falls within the second body"),
@@ -165,12 +165,16 @@ RUBBING: dict[str, Word] = {
     "speed": Word("v", "m/s", "speed along the surface"),
     "crack_speed": Word(r"\dot{a}", "m/s", "how fast the edge of the contact recedes"),
     "lowest_force": Word(r"F_\mathrm{min}", "N", "lowest force since the beginning"),
-    "reference_speed": Word("v_0", "m/s", "speed of a crack from which on opening takes markedly more than a slow one"),
+    "reference_speed": Word(
+        "v_0", "m/s", ("crack speed above which the work of opening is markedly larger than at rest")
+    ),
     "fast_work": Word(r"w_\infty", "J/m^2", "work of the fastest opening, per area"),
     "friction_loss": Word("W_f", "J", "energy lost to friction since the beginning"),
     "bulk_loss": Word("W_b", "J", "energy lost in the bodies since the beginning"),
     "sticking": Word("", None, "which springs stick"),
     "leading_edge": Word("x_1", "m", "where the contact begins, ahead of the lowest point of a body that rolls"),
-    "trailing_edge": Word("x_2", "m", "where the springs let go behind a body that slides, negative behind the middle"),
+    "trailing_edge": Word(
+        "x_2", "m", ("position at which the springs separate behind a sliding body, negative behind the middle")
+    ),
     "line_shear_force": Word("F_{x,1}", "N", "resistance of the line of springs, before what waves aslant do not lose"),
 }

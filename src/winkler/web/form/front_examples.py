@@ -20,7 +20,7 @@ class FrontExample(NamedTuple):
     Parameters
     ----------
     title
-        What it is.
+        A title for the heading of the file.
     question
         What is asked of it.
     kind

@@ -65,14 +65,14 @@ class CurveEvent:
         In `unit`: of a baseline the travel; of a loading or an unloading the change of force; of a hold its duration
         [s], without times the number of points; of a pop-in the step of position [m] or the drop of force [N]; of
         snap-in and pull-off the maximum tension below the baseline; of saturation the force; of interference the
-        amplitude; of a clock offset the time by which the force is late; of drag the force against the motion.
+        amplitude; of a clock offset the delay of the force; of drag the force against the motion.
     error : float
         Standard error of the size from the noise; zero where the size is read directly, or without noise.
     unit : str
         m, N, s, or empty for a number of points.
     confidence : float
-        Probability that noise alone makes no such event in the curve, for Gaussian noise; 1 where none was sought
-        in noise.
+        Probability that Gaussian noise alone does not cause such an event; 1 for events that are not detected in
+        noise.
     remark : str
         Further numbers as text; may be empty.
     """

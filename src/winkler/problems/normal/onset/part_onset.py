@@ -23,22 +23,23 @@ class PartOnset:
     Parameters
     ----------
     part : int
-        Which of the parts that have a strength it is, from the uppermost layer of the first body down, 1 the first.
+        Number of the part among those with a strength, counted from the uppermost layer of the first body down, from
+        1.
     name : str
-        What it is called.
+        Name of the part.
     force, radius, depth : float
         Force, contact radius and depth at the onset of yield [N], [m], [m]; infinite if no yield was found in the
         examined range.
     x, z : float
-        Where [m], as of `YieldOnsetSolution`; nan where it does not yield.
+        Where [m], as in `YieldOnsetSolution`; nan where it does not yield.
     why : str
-        Why no onset was found; empty where it was.
+        Reason why no onset was found; empty if one was found.
     """
 
     __words__ = words(
         part=PART,
         name=NAME,
-        x=("x", "m", "place in the direction in which the surface is dragged"),
+        x=("x", "m", "position along the direction of the traction"),
         why=("", None, "why no onset was found"),
     )
 
@@ -59,13 +60,14 @@ class EllipticPartOnset:
     Parameters
     ----------
     part : int
-        Which of the parts that have a strength it is, from the uppermost layer of the first body down, 1 the first.
+        Number of the part among those with a strength, counted from the uppermost layer of the first body down, from
+        1.
     name : str
-        What it is called.
+        Name of the part.
     force : float
         [N] when it begins to yield.
     x, y, z : float
-        Where [m], as of `EllipticYieldOnsetSolution`.
+        Where [m], as in `EllipticYieldOnsetSolution`.
     """
 
     __words__ = words(part=PART, name=NAME, x=("x", "m", "place along the surface"))

@@ -19,21 +19,21 @@ STICKY_ROLLER = {
 }
 
 LOAD_PROFILE = Equation(
-    "The two-dimensional profile f(x) becomes the load profile w",
+    "The two-dimensional profile f(x) gives the load profile w",
     r"w(a) = \int_0^a \frac{x\,f'(x)}{\sqrt{a^2-x^2}}\,\mathrm{d}x",
 )
-LOAD = Equation("which is the force per length over E*", r"P = E^*\,w(a)")
+LOAD = Equation("which is the force per length divided by E*", r"P = E^*\,w(a)")
 PRESSURE = Equation(
     "Flat punches of all half-widths c add up to the pressure",
     r"p(x) = \frac{E^*}{\pi}\int_{|x|}^a \frac{w'(c)}{\sqrt{c^2-x^2}}\,\mathrm{d}c",
 )
 LAYERED_RESPONSE = Equation(
-    "The stack answers a wave of the pressure with the compliance, in which M fades for waves shorter than the "
-    "uppermost layer is thick",
+    "Compliance of the layers for a pressure wave; M vanishes for waves much shorter than the thickness of the "
+    "uppermost layer",
     r"C(k) = \frac{2}{E^*k}\,(1+M(k))",
 )
 LAYERED_MODES = Equation(
-    "What the layers add to the pressure of a half-plane, the transform of which is E* G, are modes of the loads β",
+    "The layers add modes with the loads β to the pressure of a half-plane, whose transform is E* G",
     r"p_n = \frac{E^*\beta_nT_{2n}(x/a)}{\pi\sqrt{a^2-x^2}}, \quad "
     r"\beta_m + 4m\sum_n(-1)^{m+n}\beta_n\int_0^\infty\frac{M}{k}J_{2m}J_{2n}\,\mathrm{d}k = "
     r"-4m(-1)^m\int_0^\infty\frac{M}{k}J_{2m}(ka)\,G\,\mathrm{d}k",
@@ -46,7 +46,7 @@ POTENTIAL = Equation(
     r"F(\zeta) = \frac{E^*}{\pi}\int_0^a \frac{w'(c)}{\sqrt{\zeta^2-c^2}}\,\mathrm{d}c",
 )
 STRESSES = Equation(
-    "which gives the stresses of a contact that is pressed, and dragged by μ p where it slides",
+    "which gives the stresses due to the pressure, and in full sliding to the traction μ p",
     r"\sigma_x = \mathrm{Im}\,F + z\,\mathrm{Re}\,F' - \mu\,(2\,\mathrm{Re}\,F - z\,\mathrm{Im}\,F'), \quad "
     r"\sigma_z = \mathrm{Im}\,F - z\,\mathrm{Re}\,F' - \mu z\,\mathrm{Im}\,F', \quad "
     r"\tau_{xz} = -z\,\mathrm{Im}\,F' + \mu\,(\mathrm{Im}\,F + z\,\mathrm{Re}\,F')",
@@ -54,13 +54,13 @@ STRESSES = Equation(
 UP_AND_DOWN = (100, 500, 1000, 2000, 3000, 4000, 3000, 2000, 1000, 300, 0)
 """Forces per length [kN/m]."""
 ROLLER_YIELDS = Equation(
-    "Each body takes the part s of the gap at which both bear the same mean pressure; p_el is what it would bear if it "
-    "stayed elastic",
+    "Each body fills the fraction s of the gap at which the mean pressure of both is equal; p_el is the pressure "
+    "without yielding",
     r"p = p_{el}\,e^{-L(p_{el}/Y)}, \quad p_{el} = \frac{\pi E_i s_i a}{8R}, \quad P = 2ap, \quad "
     r"d_0 = \frac{a^2}{2R}\left(s_1D_1+s_2D_2\right)",
 )
 ROLLER_RETURNS = Equation(
-    "The dent of the half-width a bears less on narrower strips c",
+    "Load of a dent of the half-width a on narrower strips of the half-width c",
     r"\frac{P(c)}{P} = \theta\frac{c^2}{a^2} + (1-\theta)\left(1-\sqrt{1-\frac{c^2}{a^2}}\right)",
 )
 ROLLER_GAP = Equation(
@@ -69,7 +69,9 @@ ROLLER_GAP = Equation(
     r"w = z(x)+\frac{y^2}{2R}-\theta x-d+\frac{1}{\pi E^*}\int\frac{p\,\mathrm{d}A}{\sqrt{(x-x_i)^2+(y-y_i)^2}}, "
     r"\quad p \ge 0, \; w \ge 0, \; p\,w = 0",
 )
-ROLLER_SUMS = Equation("Force and moment are the sums", r"F_N = \int p\,\mathrm{d}A, \quad M = \int p\,x\,\mathrm{d}A")
+ROLLER_SUMS = Equation(
+    ("Force and moment are sums over the elements"), r"F_N = \int p\,\mathrm{d}A, \quad M = \int p\,x\,\mathrm{d}A"
+)
 ROLLER_CROWN = Equation(
     "A logarithmic crown beyond a straight part of the half-length s drops by (after Lundberg, with the parameters of "
     "Fujiwara and Kawase)",
@@ -77,7 +79,7 @@ ROLLER_CROWN = Equation(
     r"A = \frac{P}{\pi E^*}",
 )
 SINE = Equation(
-    "Strips at the pitch λ are one strip over u, under the profile f(x(u))",
+    "Strips at the pitch λ correspond to one strip over u, under the profile f(x(u))",
     r"u = \frac{\lambda}{\pi}\sin\frac{\pi x}{\lambda}, \quad \bar p = \frac{P}{\lambda}",
 )
 PERIODIC_WAVES = Equation(
@@ -91,11 +93,11 @@ PERIODIC_PRESSURE = Equation(
     r"p(x) = p_1(u)\,\cos\frac{\pi x}{\lambda}",
 )
 STICKING = Equation(
-    "The edges pull like those of a flat punch: the stress intensity releases the work of adhesion γ",
+    "The tension at the edges is that of a flat punch; its energy release rate equals the work of adhesion γ",
     r"P = E^*\,w(a) - \sqrt{2\pi a E^*\gamma}, \quad K_I = \sqrt{2E^*\gamma}",
 )
 STRETCHED = Equation(
-    "and takes from the pressure of the profile", r"p(x) = p_w(x) - \sqrt{\frac{2E^*\gamma a}{\pi(a^2-x^2)}}"
+    "and it reduces the pressure of the profile", r"p(x) = p_w(x) - \sqrt{\frac{2E^*\gamma a}{\pi(a^2-x^2)}}"
 )
 LAYERED_STICKING = Equation(
     "The edges pull like those of a flat punch on the layers, s times as steep as on half-planes of the uppermost one, "
@@ -103,19 +105,16 @@ LAYERED_STICKING = Equation(
     r"P = E^*\,(w(a)+\beta_0) - \frac{\sqrt{2\pi a E^*\gamma}}{s(a)}, \quad K_I = \sqrt{2E^*\gamma}",
 )
 LAYERED_RANGED = Equation(
-    "Beside the contact, up to c, the surfaces attract each other with the stress of the law; G is then the transform "
-    "of both",
+    "Outside the contact, up to c, the adhesive stress acts; G is then the transform of pressure and adhesive stress",
     r"P = E^*\,(w(a)+\beta_0) - 2\sigma_0\sqrt{c^2-a^2}",
 )
 RANGED = Equation(
-    "Beside the contact, up to c, the surfaces attract each other with the stress of the law",
+    "Outside the contact, up to c, the adhesive stress acts",
     r"P = E^*\,w(a) - 2\sigma_0\sqrt{c^2-a^2}",
 )
-RANGE_END = Equation(
-    "which ends where they stand apart as far as the attraction reaches", r"h(c) = \frac{\gamma}{\sigma_0}"
-)
+RANGE_END = Equation("which ends where the gap equals the range of the attraction", r"h(c) = \frac{\gamma}{\sigma_0}")
 GRADED_LOAD = Equation(
-    "The load per length that the profile bears on bodies graded by the power k",
+    "Load per length of the profile on bodies graded by the power k",
     r"P(a) = \frac{E^*}{c_0^k}\frac{\Gamma(\frac{1+k}{2})}{\sqrt{\pi}\,\Gamma(1+\frac{k}{2})}"
     r"\int_0^a \frac{x\,f'(x)\,\mathrm{d}x}{(a^2-x^2)^{(1-k)/2}}",
 )
@@ -124,7 +123,7 @@ GRADED_PRESSURE = Equation(
     r"p(x) = \int_{|x|}^a \frac{P'(c)\,\mathrm{d}c}{c^k\,\mathrm{B}(\frac{1}{2},\frac{1+k}{2})\,(c^2-x^2)^{(1-k)/2}}",
 )
 STABLE = Equation("A state is stable under a dead load where", r"\frac{\mathrm{d}P}{\mathrm{d}a} > 0")
-PLANE_STRAIN = Equation("and along the strip, in plane strain", r"\sigma_y = \nu\,(\sigma_x+\sigma_z)")
+PLANE_STRAIN = Equation("and in the direction of the strip, in plane strain", r"\sigma_y = \nu\,(\sigma_x+\sigma_z)")
 SHAKEDOWN = Equation(
     "The best residual stresses, along and across the direction of rolling, leave at most the strength (Melan)",
     r"\max_z\,\min_{\rho_x,\rho_y}\,\max_x\,\sigma_{\mathrm{vM}}(\sigma + \rho) = \sigma_Y",
@@ -248,7 +247,8 @@ LINE = Chapter(
             picture=Caption(
                 "line",
                 "The contact",
-                "Pressure and shape; of many loads half-width and pressures, and the depth of layers on a rigid base.",
+                "Pressure and deformed shape; for many loads half-width and pressures, and for layers on a rigid "
+                "base the depth.",
             ),
             curves=(("force_per_length", "half_width"), ("force_per_length", "peak_pressure")),
             pictured=PicturedContact.NONE,
@@ -273,7 +273,7 @@ LINE = Chapter(
             picture=Caption(
                 "roller",
                 "Pressure along the roller",
-                "Pressure on the contact and along the roller, and force per length; of many loads also depth and "
+                "Pressure on the contact and along the roller, and force per length; for many loads also depth and "
                 "pressures.",
             ),
             curves=(("force", "depth"), ("force", "peak_pressure"), ("force", "edge_factor"), ("force", "moment")),
@@ -294,7 +294,9 @@ LINE = Chapter(
             says={"pull_off_force_per_length": "the body pulls off at {pull_off_force_per_length:size}"},
             bed=STICKY_ROLLER,
             load={"kind": "line_force", "force_per_length": "1 N/m"},
-            picture=Caption("line_adhesion", "The contact", "Pressure and shape; of many loads the half-width."),
+            picture=Caption(
+                "line_adhesion", "The contact", ("Pressure and deformed shape; for many loads the half-width.")
+            ),
             curves=(("force_per_length", "half_width"),),
             pictured=PicturedContact.NONE,
             formulas=line_adhesion_formulas,
@@ -313,7 +315,9 @@ LINE = Chapter(
             bed=WAVES,
             pitch="1 mm",
             load={"kind": "nominal_pressure", "nominal_pressure": "100 MPa"},
-            picture=Caption("waves", "The contact", "Pressure and shape; of many loads contact and pressures."),
+            picture=Caption(
+                "waves", "The contact", ("Pressure and deformed shape; for many loads contact width and pressures.")
+            ),
             curves=(("nominal_pressure", "contact_share"), ("nominal_pressure", "peak_pressure")),
             pictured=PicturedContact.NONE,
             formulas=periodic_formulas,
@@ -331,7 +335,7 @@ LINE = Chapter(
             headline=("force_per_length", "half_width", "z", "mean_pressure"),
             bed={**ROLLER, "medium": {"kind": "half_space", **STRONG}},
             friction={"kind": "coulomb", "coefficient": 0.1},
-            picture=Caption("line_yield", "Onset of yield", "The von Mises stress where yielding begins."),
+            picture=Caption("line_yield", "Onset of yield", "The von Mises stress at the onset of yield."),
             pictured=PicturedContact.NONE,
             formulas=line_yield_formulas,
         ),
@@ -350,8 +354,8 @@ LINE = Chapter(
             picture=Caption(
                 "line_dent",
                 "The strip along its path, and the dent",
-                "Half-width and mean pressure over the force per length, pressed in and let go, dotted where yield "
-                "begins; the surface after the path.",
+                "Half-width and mean pressure over the force per length during loading and unloading (dotted: onset "
+                "of yield), and the surface after the path.",
             ),
             curves=(("force_per_length", "half_width"),),
             pictured=PicturedContact.NONE,  # an elastic contact bears pressures that a metal does not
@@ -370,7 +374,11 @@ LINE = Chapter(
             headline=("force_per_length", "half_width", "z", "mean_pressure"),
             bed={**ROLLER, "medium": {"kind": "half_space", **STRONG}},
             friction={"kind": "coulomb", "coefficient": 0.1},
-            picture=Caption("line_shakedown", "Shakedown limit", "The shear in planes along the surface at the limit."),
+            picture=Caption(
+                "line_shakedown",
+                "Shakedown limit",
+                ("Shear stress on planes parallel to the surface at the shakedown limit."),
+            ),
             pictured=PicturedContact.NONE,
             formulas=line_shakedown_formulas,
         ),

@@ -11,35 +11,37 @@ from winkler.study.chapters.viscoelastic import pair_formulas
 TO_AND_FRO = ["0 N/mm", "20 N/mm", "-20 N/mm", "20 N/mm"]
 
 SLIPPING = Equation(
-    "What slips bears μ times the pressure; what sticks bears less by the pressure of a narrower contact",
+    "In slip zones the traction is μ times the pressure; in the stick zone it is smaller by μ times the pressure of "
+    "a narrower contact",
     r"q(x) = \mu\left[p(x;P) - p(x;\gamma)\right], \quad Q = \mu\,(P-\gamma)",
 )
 HISTORY = Equation(
-    "Along a path the traction is a sum of such pressures, one for each turning point that is not forgotten",
+    "Along a path the traction is a sum of such pressures, one for each load reversal that still has an effect",
     r"q(x) = \sum_j B_j\,p(x;\gamma_j)",
 )
 AHEAD = Equation(
-    "and the surfaces have slipped by the sum of the distances that those contacts would leave open beside them",
+    "and the slip is the sum of the gaps outside these contacts",
     r"s(x) = -\sum_j B_j\,h(x;\gamma_j)",
 )
 SHIFTED = Equation(
-    "A bulk stress in phase with Q shifts those of a cylinder",
+    "A bulk stress in phase with Q displaces these contacts of a cylinder by",
     r"e_j = R\,\frac{1-\nu_1^2}{E_1}\,\frac{\sigma_B}{Q}\,(P-\gamma_j)",
 )
 MARCHED = Equation(
-    "and beside any other the path is marched along: what sticks keeps",
+    "For any other bulk stress the path is computed step by step; in the stick zone this quantity stays constant",
     r"s(x) = \delta - \frac{1-\nu_1^2}{E_1}\,\sigma_B\,x + \frac{2}{\pi E^*}\int q(\xi)\,\ln|x-\xi|\,\mathrm{d}\xi",
 )
 LOST = Equation(
-    "Friction loses per length", r"W_d = \frac{2}{\pi E^*}\int\!\!\int t\,\mathrm{d}(Q-t)\,\mathrm{d}\ln a(\gamma)"
+    "Energy dissipated by friction per length",
+    r"W_d = \frac{2}{\pi E^*}\int\!\!\int t\,\mathrm{d}(Q-t)\,\mathrm{d}\ln a(\gamma)",
 )
 
 CREPT_ALONG = Equation(
-    "The surfaces move along each other as the tractions have crept",
+    "Relative tangential displacement of the surfaces, with the creep function C",
     r"s(x,t) = \delta(t) + \frac{2}{\pi}\int\ln|x-\xi|\int_0^t C(t-t')\,\frac{\partial q(\xi,t')}{\partial t'}\,"
     r"\mathrm{d}t'\,\mathrm{d}\xi",
 )
-SLIPS_ALONG = Equation("what sticks keeps s, what slips bears", r"|q(x,t)| = \mu\,p(x,t)")
+SLIPS_ALONG = Equation("In the stick zone s is constant; in slip zones", r"|q(x,t)| = \mu\,p(x,t)")
 
 LINE_FRICTION = Chapter(
     "line contact",
@@ -78,7 +80,7 @@ LINE_FRICTION = Chapter(
             picture=Caption(
                 "line_tangential",
                 "The contact along its path",
-                "The loop of the shear force, and how the last contact sticks and slips.",
+                "Loop of the shear force, and stick and slip of the last contact.",
             ),
             curves=(
                 ("slip_shift", "shear_force_per_length"),
@@ -102,7 +104,7 @@ LINE_FRICTION = Chapter(
             picture=Caption(
                 "line_tangential",
                 "The contact along its path",
-                "The loop of the shear force, and how the last contact sticks and slips.",
+                "Loop of the shear force, and stick and slip of the last contact.",
             ),
             curves=(("slip_shift", "shear_force_per_length"), ("shear_force_per_length", "dissipation_per_length")),
             pictured=PicturedContact.NONE,

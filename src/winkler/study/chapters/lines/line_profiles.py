@@ -11,7 +11,7 @@ STRIP_GAP = Equation(
     r"h(x) = f(x)-\theta x-C-\frac{2}{\pi E^*}\int p(s)\,\ln|x-s|\,\mathrm{d}s, \quad p \ge 0, \; h \ge 0, \; p\,h = 0",
 )
 STRIP_SUMS = Equation(
-    "Force per length and line of action are the sums",
+    "Force per length and line of action are integrals of the pressure",
     r"P = \int p\,\mathrm{d}x, \quad P\,x_P = \int p\,x\,\mathrm{d}x",
 )
 STRIP_SERIES = Equation(
@@ -19,7 +19,7 @@ STRIP_SERIES = Equation(
     r"p = \frac{E^*}{2}\sqrt{1-t^2}\,\sum_k c_k U_k(t)",
 )
 STRIP_POTENTIAL = Equation(
-    "whose potential bends the surfaces beside it, and gives the stresses below",
+    "whose potential gives the gaps outside the strip and the stresses below",
     r"F(z) = \frac{E^*}{2}\sum_k c_k\left(z-\sqrt{z^2-1}\right)^{k+1}",
 )
 
@@ -108,7 +108,7 @@ LINE_PROFILES = Chapter(
             picture=Caption(
                 "strips",
                 "The strips of contact",
-                "Pressure, shape and force of each strip; of many loads contact length, pressures, number of strips.",
+                "Pressure, gap and force of each strip; for many loads contact length, pressures and number of strips.",
             ),
             curves=(("force_per_length", "contact_length"), ("force_per_length", "peak_pressure")),
             pictured=PicturedContact.NONE,

@@ -18,15 +18,15 @@ HERTZ = Equation(
     r"a = \sqrt{\frac{4PR}{\pi E^*}}, \quad p = p_0\,\sqrt{1-\frac{x^2}{a^2}}, \quad p_0 = \frac{2P}{\pi a}",
 )
 STICK = Equation(
-    "It sticks from the leading edge a back to a − 2c, which the force per length determines, or the creepage",
+    "The stick zone extends from the leading edge a to a − 2c; c follows from the force per length or the creepage",
     r"\frac{Q}{\mu P} = 1-\frac{c^2}{a^2}, \quad \xi = \frac{\mu\,(a-c)}{R}",
 )
 TRACTION = Equation(
-    "The traction is that of sliding, less the second term in the zone of stick",
+    "The traction is that of full sliding, minus the second term in the stick zone",
     r"q(x) = \mu p_0\,\left[\sqrt{1-\frac{x^2}{a^2}}-\frac{c}{a}\sqrt{1-\frac{(x-a+c)^2}{c^2}}\right]",
 )
 SLIP = Equation(
-    "and behind it the surfaces slip, by parts of the speed of rolling",
+    "and behind the stick zone the slip velocity over the rolling speed is",
     r"s(x) = \frac{\mu}{R}\sqrt{(x-a+c)^2-c^2}, \quad x < a-2c",
 )
 
@@ -35,37 +35,36 @@ PARTICLE = Equation(
     r"S = W-u(x)+u_0(x+h)-\frac{2\beta}{E^*}\int_x^{x+h}p\,\mathrm{d}x', \quad \xi = \frac{W}{h}",
 )
 DISPLACED = Equation(
-    "with Dundurs' constant β of dissimilar bodies, where tractions displace the surfaces by",
+    "with Dundurs' constant β for dissimilar bodies; tractions displace the surfaces by",
     r"u(x) = -\frac{2}{\pi E^*}\int_{-a}^a q(s)\,\ln\left|x-s\right|\,\mathrm{d}s",
 )
 FRICTION = Equation(
-    "It sticks where friction allows, and slips elsewhere",
+    "Conditions of stick and slip",
     r"S = 0, \quad \left|q\right| \le \mu p, \quad q\,S = \mu p\left|S\right|",
 )
-CREEP = Equation(
-    "The bodies creep under a step of pressure by", r"C(t) = C_0+\sum_k C_k\left(1-e^{-t/\lambda_k}\right)"
-)
+CREEP = Equation("Creep function for a step of pressure", r"C(t) = C_0+\sum_k C_k\left(1-e^{-t/\lambda_k}\right)")
 TRANSFORM = Equation(
-    "In an elastic body the slope of the surface would follow from the pressure by",
+    "In an elastic body the slope of the surface follows from the pressure by",
     r"g(x) = \frac{1}{\pi}\int \frac{p(s)}{x-s}\,\mathrm{d}s",
 )
 SLOPE = Equation(
-    "The particles come from ahead at the speed v, and follow the cylinder in the strip",
+    "Surface particles enter from the front at the speed v and follow the cylinder in the strip",
     r"2\left[C_0\,g(x)+\sum_k C_k\int_0^\infty \frac{e^{-s/v\lambda_k}}{v\lambda_k}\,g(x+s)\,"
     r"\mathrm{d}s\right] = \frac{x}{R}",
 )
 RESISTANCE = Equation(
-    "The pressure ahead of the lowest point resists", r"Q = \int p(x)\,\frac{x}{R}\,\mathrm{d}x, \quad f = \frac{Q}{P}"
+    "Resistance due to the pressure in front of the lowest point",
+    r"Q = \int p(x)\,\frac{x}{R}\,\mathrm{d}x, \quad f = \frac{Q}{P}",
 )
 
 COUPLED = Equation(
-    "Of coupled dissimilar bodies pressure and traction act on each other",
+    "Coupled equations of pressure and traction for dissimilar bodies",
     r"\frac{x}{R} = \frac{2}{\pi E^*}\int\frac{p(s)}{x-s}\,\mathrm{d}s-\frac{2\beta}{E^*}\,q, \quad "
     r"s(x) = \xi-\frac{2}{\pi E^*}\int\frac{q(s)}{x-s}\,\mathrm{d}s-\frac{2\beta}{E^*}\,p",
 )
 
 LAYERED = Equation(
-    "On layers each kernel is that of their response: to pressure (N), shear (A), and of one to the other (C)",
+    "On layers the kernels are those of the responses to pressure (N) and shear (A), and of their coupling (C)",
     r"\frac{x-m}{R} = \int N(x-s)\,p\,\mathrm{d}s-\int C(x-s)\,q\,\mathrm{d}s, \quad "
     r"s(x) = \xi-\int A(x-s)\,q\,\mathrm{d}s-\int C(x-s)\,p\,\mathrm{d}s",
 )
@@ -94,9 +93,7 @@ LINE_ROLLING = Chapter(
             bed=STEEL_ON_STEEL,
             drive=CREEPAGES,
             load=PRESSED,
-            picture=Caption(
-                "line_creep", "Rolling", "The force over the creepage, and the traction at the greatest of these."
-            ),
+            picture=Caption("line_creep", "Rolling", "Force over creepage, and the traction at the largest creepage."),
             curves=(("longitudinal_creepage", "shear_force_per_length"), ("longitudinal_creepage", "stick_share")),
             pictured=PicturedContact.NONE,
             formulas=(MODULUS, HERTZ, STICK, TRACTION, SLIP, COUPLED, LAYERED),
@@ -119,7 +116,7 @@ LINE_ROLLING = Chapter(
             picture=Caption(
                 "line_start",
                 "From rest to rolling",
-                "Creepage or force over the distance, and tractions at some places.",
+                "Creepage or force over the rolling distance, and tractions at several distances.",
             ),
             curves=(("distance", "longitudinal_creepage"), ("distance", "stick_share")),
             pictured=PicturedContact.NONE,
@@ -140,7 +137,7 @@ LINE_ROLLING = Chapter(
             picture=Caption(
                 "line_resistance",
                 "Rolling resistance",
-                "The coefficient over the speed, and pressures at three speeds.",
+                "Coefficient of rolling resistance over the speed, and pressures at three speeds.",
             ),
             curves=(("speed", "coefficient"), ("speed", "half_width")),
             pictured=PicturedContact.NONE,

@@ -17,16 +17,17 @@ ON_AND_OFF: dict[str, Any] = {
 }
 
 CREPT = Equation(
-    "The force per length creeps", r"\ell(t) = \int_0^t C(t-t')\,\frac{\mathrm{d}P}{\mathrm{d}t'}\,\mathrm{d}t'"
+    "Hereditary integral of the force per length",
+    r"\ell(t) = \int_0^t C(t-t')\,\frac{\mathrm{d}P}{\mathrm{d}t'}\,\mathrm{d}t'",
 )
 GROWING = Equation("and while the strip widens (Lee and Radok)", r"w(a(t)) = \ell(t)")
 RELAXED = Equation(
-    "What strips wider than c bear relaxes as a spring does, comes to nothing at the edge, and then recovers freely",
+    "The load on strips wider than c relaxes like a spring, vanishes at the contact edge, and then recovers freely",
     r"q(c,t) = \int_0^t E^*(t-t')\,\frac{\partial u(c,t')}{\partial t'}\,\mathrm{d}t', \quad u = \ell(t)-w(c), \quad "
     r"q(a,t) = 0",
 )
 PRESSED = Equation(
-    "The strips add up to the pressure",
+    "The pressure is the sum over the strips",
     r"p(x,t) = -\frac{1}{\pi}\int_{|x|}^{a(t)} \frac{\partial q}{\partial c}\,\frac{\mathrm{d}c}{\sqrt{c^2-x^2}}",
 )
 
@@ -59,7 +60,7 @@ LINE_VISCOELASTIC = Chapter(
             picture=Caption(
                 "line_relaxing",
                 "The contact along its path",
-                "Force per length and half-width over time, and pressures at some moments.",
+                "Force per length and half-width over time, and pressures at several times.",
             ),
             curves=(("time", "half_width"), ("time", "peak_pressure"), ("force_per_length", "half_width")),
             pictured=PicturedContact.NONE,

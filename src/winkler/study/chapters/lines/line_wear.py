@@ -12,27 +12,29 @@ PRESSED = {"kind": "line_force", "force_per_length": "100 N/mm"}
 SWING = {"kind": "line_shear_force", "shear_force_per_length": "15 N/mm"}
 
 STUCK = Equation(
-    "Sheared to and fro by Q, the contact sticks within the narrower one of the load γ, which wear does not change",
+    "Under an oscillating shear force Q the stick zone is the contact under the smaller load γ; wear does not change "
+    "it",
     r"\gamma = P - \frac{Q}{\mu} = E^*\,w(c)",
 )
 SLIP = Equation(
-    "and slips by μ times the distance that this one leaves open beside it",
+    "Outside, the slip is μ times the gap of this narrower contact",
     r"s(x) = \frac{2\mu}{\pi}\,x\int_c^{x}\frac{w(b)-w(c)}{b\,\sqrt{x^2-b^2}}\,\mathrm{d}b",
 )
 FRETTING_RATE = Equation(
-    "In a cycle every place slips four times that far, and its worn depth grows with the pressure (for Archard's law)",
+    "In each cycle every point slips four times this distance; the worn depth is proportional to the pressure "
+    "(Archard's law)",
     r"\frac{\mathrm{d}f}{\mathrm{d}n} = 4\,\kappa\,p(x)\,s(x)",
 )
 SLIDING_RATE = Equation(
-    "Where a surface slides, its worn depth grows with pressure and distance (for Archard's law)",
+    "In sliding, the worn depth is proportional to pressure and sliding distance (Archard's law)",
     r"\frac{\mathrm{d}f}{\mathrm{d}s} = \kappa\,p(x)",
 )
 LAST_PRESSURE = Equation(
-    "In the end it bears everything, the rest as a flat punch does",
+    "Finally the stick zone carries the whole load, the additional load like a flat punch",
     r"p_\infty(x) = p(x;\gamma)+\frac{Q/\mu}{\pi\,\sqrt{c^2-x^2}}",
 )
 LAST_SHAPE = Equation(
-    "and the worn surface, which just touches, has lost, with the distance h beside the narrower contact,",
+    "and the final worn depth follows with the gap h outside the narrower contact",
     r"\Delta f_\infty(x) = \frac{2\,Q}{\pi\mu E^*}\,\mathrm{arcosh}\frac{x}{c}-h(x;\gamma)",
 )
 
@@ -60,7 +62,8 @@ LINE_WEAR = Chapter(
             picture=Caption(
                 "line_fretting",
                 "Worn by fretting",
-                "Profiles, worn depth and pressure after some of the cycles; contact, stick zone, volume and loss over them.",
+                "Profiles, worn depth and pressure after several numbers of cycles; contact, stick zone, wear volume "
+                "and dissipated energy over the cycles.",
             ),
             curves=(("cycles", "worn_volume_per_length"), ("cycles", "half_width"), ("cycles", "worn_depth")),
             pictured=PicturedContact.NONE,
@@ -84,7 +87,8 @@ LINE_WEAR = Chapter(
             picture=Caption(
                 "line_sliding",
                 "Worn by sliding",
-                "Profiles, worn depth and pressure after some distances; contact, volume and mean pressure over them.",
+                "Profiles, worn depth and pressure after several distances; contact, wear volume and mean pressure "
+                "over the distance.",
             ),
             curves=(
                 ("distance", "worn_volume_per_length"),
@@ -111,7 +115,7 @@ LINE_WEAR = Chapter(
             picture=Caption(
                 "line_limit",
                 "Where wear ends",
-                "The profile in the end, what was worn off, and the pressure, which the stick zone alone carries then.",
+                "Final profile, worn depth, and final pressure, which acts in the stick zone only.",
             ),
             pictured=PicturedContact.NONE,
             formulas=(MODULUS, LOAD_PROFILE, LOAD, PRESSURE, STUCK, LAST_PRESSURE, LAST_SHAPE),

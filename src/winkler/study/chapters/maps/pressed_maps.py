@@ -9,30 +9,30 @@ from winkler.study.chapters.rough import ELEMENTS, STAMP
 PRESSED = {"kind": "surface_contact", "topography": {**STAMP, "seed": 1}}
 
 CORRECTED = Equation(
-    "Pixels that touch are counted, and what they count too much along their edge of the length S is taken off "
-    "(Yastrebov)",
+    "Area of the pixels in contact, minus the excess along their edge of the length S (Yastrebov)",
     r"A = A_{pixels}-\frac{\pi-1+\ln 2}{24}\,S\,\Delta x",
 )
 SECOND_POINTS = Equation(
-    "Its error is the greatest difference among it and those of the four maps of every second point",
+    "Error estimate: the maximum difference between this area and those of the four maps of every second point",
     r"\Delta A = \max_{i,j\le4}|A_i-A_j| , \quad A_0 = A(\Delta x) , \quad A_1\dots A_4 = A(2\Delta x)",
 )
 REYNOLDS = Equation(
-    "The fluid flows through the gap h by Reynolds' equation",
+    "Flow of the fluid through the gap h: Reynolds' equation",
     r"q_i = -\frac{h^3}{12\eta}\,\frac{\partial p}{\partial x_i}, "
     r"\quad \frac{\partial q_x}{\partial x}+\frac{\partial q_y}{\partial y} = 0",
 )
 FACTOR = Equation(
-    "The flow factor compares it with a film of the mean gap everywhere (Patir and Cheng)",
+    "The flow factor is the ratio to the flow through a uniform film of the mean gap (Patir and Cheng)",
     r"\phi_x = \frac{12\eta L_x Q}{L_y\,\bar{u}^3\,\Delta p}",
 )
 MEDIUM = Equation(
-    "Bruggeman's effective medium of the gaps needs only their distribution",
+    "Bruggeman's effective medium theory needs only the distribution of the gaps",
     r"\left\langle\frac{h^3-s}{h^3+s}\right\rangle = 0, \quad Q_e = \frac{L_y\,s\,\Delta p}{12\eta L_x}",
 )
 
 JOINT = Equation(
-    "On spots the interface, in the gap u what fills it, holds heat back by r, and heat spreads in both bodies",
+    "Thermal resistance r of the interface at contact spots, or of the medium in the gap u, and spreading of heat in "
+    "both bodies",
     r"r\,q + \frac{1}{2\pi}\left(\frac{1}{\lambda_1}+\frac{1}{\lambda_2}\right)\int\frac{q}{s}\,\mathrm{d}A' = "
     r"\Delta T, \quad r = \frac{1}{h_i} \text{ or } \frac{u+M}{\lambda_g}",
 )
@@ -54,9 +54,9 @@ PRESSED_MAPS = Chapter(
             picture=Caption(
                 "patches",
                 "Patches of contact, gaps and pressures",
-                "The patches in the colours of their areas, the distributions of gap and pressure, and how large the "
-                "patches are under the last load; of many loads also area and greatest pressure, each with its "
-                "difference from every second point of the map.",
+                "Contact patches coloured by area, distributions of gap, pressure and patch area under the last "
+                "load; for many loads also area and maximum pressure, with the differences from maps of every second "
+                "point.",
             ),
             curves=(("force", "area"), ("force", "peak_pressure"), ("force", "patch_count"), ("force", "mean_gap")),
             pictured=PicturedContact.NONE,
@@ -77,10 +77,9 @@ PRESSED_MAPS = Chapter(
             pressure_drop="100 kPa",
             picture=Caption(
                 "leak",
-                "What leaks through the gap",
-                "The gap under the last load with the flow along x and the narrowest place of the widest path, the "
-                "pressure of the fluid, and the distribution of the gap; of many loads also leak rate and flow "
-                "factors.",
+                "Flow through the gap",
+                "Gap under the last load with the flow along x and the narrowest point of the widest path, pressure "
+                "of the fluid, and distribution of the gap; for many loads also leak rate and flow factors.",
             ),
             curves=(("force", "leak_rate"), ("force", "flow_factor"), ("force", "critical_gap")),
             pictured=PicturedContact.NONE,
@@ -100,8 +99,8 @@ PRESSED_MAPS = Chapter(
             picture=Caption(
                 "joint",
                 "Heat through spots and gap",
-                "The heat flux through every pixel per kelvin under the last load, the gap, and of many loads the "
-                "conductance through spots, through the gap, and of both.",
+                "Heat flux per kelvin in every pixel and gap under the last load; for many loads the conductance of "
+                "the spots, of the gap, and of both.",
             ),
             curves=(("force", "conductance"), ("force", "spot_conductance"), ("force", "gap_conductance")),
             pictured=PicturedContact.NONE,

@@ -37,18 +37,18 @@ PRESSED: dict[str, Any] = {
 }
 
 SPOTS = Equation(
-    "All pixels in contact have one voltage between the bodies, in the constrictions and in the film",
+    "All pixels in contact have the same voltage between the bodies, which drops in constrictions and film",
     r"V = \frac{\rho_1+\rho_2}{2}\,G\,J+\sigma_f\,J, \quad I = \int J\,\mathrm{d}A",
 )
 PARTS = Equation(
-    "The resistance is that of both constrictions, and of the film over the area in contact",
+    "The resistance is the sum of both constriction resistances and of the film resistance over the contact area",
     r"R = R_1+R_2+\frac{\sigma_f}{A}",
 )
 SOFT = Equation(
-    "A metal softens, or melts, at a voltage of its own",
+    "Voltage at which a metal softens or melts",
     r"V_s = 2\sqrt{L\,(T_s^2-T_0^2)} \quad (V_f = 0)",
 )
-FLOW = Equation("Pressures do not exceed the hardness; where all have reached it", r"A = \frac{F_N}{H}")
+FLOW = Equation("Pressures do not exceed the hardness; in the plastic limit the contact area is", r"A = \frac{F_N}{H}")
 
 
 def spot_formulas(problem: Any) -> tuple[Equation, ...]:
@@ -95,8 +95,8 @@ SURFACE_CURRENT = Chapter(
             picture=Caption(
                 "spots",
                 "Spots of contact and their resistance",
-                "Pressures of the spots under the last load; of many loads the parts of the resistance, the greatest "
-                "temperature, and the currents that soften and melt, over the force.",
+                "Pressures of the spots under the last load; for many loads the parts of the resistance, the maximum "
+                "temperature, and the softening and melting currents over the force.",
             ),
             curves=(
                 ("force", "resistance"),

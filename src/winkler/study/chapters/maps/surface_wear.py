@@ -13,15 +13,16 @@ SLID = {
 }
 
 WORN = Equation(
-    "Every pixel that slides under pressure loses height (Archard)",
+    "Worn depth of every pixel (Archard)",
     r"\frac{\mathrm{d}h}{\mathrm{d}s} = \kappa\,p(x,y)",
 )
 STAGE = Equation(
-    "In a stage of a step what a pixel loses goes with its own pressure at the end: to the contact it is a film",
+    "In each stage of a step the worn depth of a pixel is proportional to its pressure at the end, like the "
+    "deflection of a film",
     r"w_1 = w + \gamma\,\kappa\,p_1\,\Delta s, \quad \gamma = 1-\frac{1}{\sqrt{2}}",
 )
 BALANCE = Equation(
-    "All that is lost is the rate times the force along the way",
+    "The total wear is the wear rate times the integral of the force over the distance",
     r"V = \kappa\int F_N\,\mathrm{d}s",
 )
 
@@ -43,8 +44,8 @@ SURFACE_WEAR = Chapter(
             picture=Caption(
                 "running_in",
                 "The surface runs in",
-                "Heights before and after, what was worn off, pressures at the first and the last distance; contact "
-                "area, pressures, heights and volume over the distance slid.",
+                "Heights before and after wear, worn depth, pressures at the first and the last distance; contact "
+                "area, pressures, heights and wear volume over the sliding distance.",
             ),
             curves=(
                 ("distance", "worn_volume"),

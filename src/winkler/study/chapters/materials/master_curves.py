@@ -8,19 +8,18 @@ from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedCo
 from winkler.study.chapters.kind import kind
 
 SPECTRUM = Equation(
-    "All sweeps are those of one spectrum of relaxation times, whose moduli are positive and change smoothly from one "
-    "time to the next",
+    "All sweeps have one spectrum of relaxation times, with positive moduli that change smoothly from one time to "
+    "the next",
     r"G'(\omega) = G_\infty + \sum_i G_i\,\frac{(\omega\tau_i)^2}{1+(\omega\tau_i)^2}, \quad "
     r"G''(\omega) = \sum_i G_i\,\frac{\omega\tau_i}{1+(\omega\tau_i)^2}, \quad "
     r"G(t) = G_\infty + \sum_i G_i\,e^{-t/\tau_i}",
 )
 SHIFTED = Equation(
-    "Temperature multiplies all times by one factor and, if it is sought, all moduli by another",
+    "Temperature multiplies all times by one factor and, optionally, all moduli by another",
     r"G(\omega;T) = b_T\,G(\omega\,a_T)",
 )
 SUPERPOSED = Equation(
-    "Shifts, spectrum, its smoothness and the relative scatter are those of the greatest evidence; the shifts have the "
-    "covariance C",
+    "Shift factors, spectrum, smoothness and scatter maximise the evidence; the shift factors have the covariance C",
     r"-2\ln P = \sum_j \frac{r_j^2}{\sigma^2} + \lambda\sum_i\left(\ln\frac{G_{i-1}G_{i+1}}{G_i^2}\right)^2",
 )
 LAWS = Equation(

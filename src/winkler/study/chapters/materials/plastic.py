@@ -11,17 +11,17 @@ UP = (5, 10, 20, 50, 100, 150, 200, 250, 300, 350, 400, 450, 500)
 
 YIELDING = (
     Equation(
-        "Each body stands against a share s of the gap; p_el is what it would bear if it stayed elastic",
+        "The deformation of each body fills a fraction s of the gap; p_el is the mean pressure without yielding",
         r"p_{el} = \frac{2E_i\,s_i}{\pi a^2}\int_0^a \left(g(a)-g(x)\right)\,\mathrm{d}x, \quad "
         r"E_i = \frac{E}{1-\nu^2}",
     ),
     Equation(
-        "Beyond the onset of yield it bears less, and reaches the same radius with less depth",
+        "Beyond the onset of yield pressure and depth at the same contact radius are lower",
         r"p = p_{el}\,e^{-L(p_{el}/Y)}, \quad d = g(a)\left(\frac{s_1}{\Gamma_1}+\frac{s_2}{\Gamma_2}\right), \quad "
         r"F_N = \pi a^2 p",
     ),
     Equation(
-        "The springs that come back are those of the elastic contact and of an even pressure",
+        "Elastic recovery: the sum of those of an elastic contact and of a uniform pressure",
         r"q(x) = E^* d_e\left[\theta\left(1-\frac{g(x)}{g(a)}\right)"
         r"+(1-\theta)\sqrt{1-\frac{x^2}{a^2}}\right], \quad d_0 = d-d_e",
     ),
@@ -29,7 +29,8 @@ YIELDING = (
 
 BOUNCING = (
     Equation(
-        "The body rests where first loading has taken its energy, and leaves with what the dent gives back",
+        "The body comes to rest when the work of first loading equals its kinetic energy; it rebounds with the "
+        "recovered energy",
         r"\frac{m v^2}{2} = \int_0^{d_{max}} F_N\,\mathrm{d}d, \quad "
         r"e^2 = \frac{2}{m v^2}\int_{d_0}^{d_{max}} F_N\,\mathrm{d}d",
     ),
@@ -70,8 +71,8 @@ PLASTIC = Chapter(
             picture=Caption(
                 "dent",
                 "The contact along its path, and the dent",
-                "Force and contact radius over the depth, pressed in and let go, dotted where yield begins; the "
-                "surface under the greatest load and after it.",
+                "Force and contact radius over the depth during loading and unloading (dotted: onset of yield); the "
+                "surface under the maximum load and after it.",
             ),
             curves=(("depth", "force"), ("depth", "radius")),
             pictured=PicturedContact.NONE,  # an elastic contact bears pressures that a metal does not
@@ -91,7 +92,7 @@ PLASTIC = Chapter(
             picture=Caption(
                 "dent_limit",
                 "The load that leaves the dent",
-                "Force and contact radius over the depth up to the load and back, and the dent that stays.",
+                "Force and contact radius over the depth during loading and unloading, and the residual dent.",
             ),
             pictured=PicturedContact.NONE,
             formulas=followed_by(normal_formulas, *YIELDING),
@@ -132,7 +133,7 @@ PLASTIC = Chapter(
             picture=Caption(
                 "metal_impact",
                 "Restitution and dents",
-                "Restitution, dent and time of contact over the velocity, dotted where yield begins; of one velocity "
+                "Restitution, dent and contact time over the velocity (dotted: onset of yield); for one velocity "
                 "force and contact radius over the depth, and the dent.",
             ),
             curves=(("velocity", "restitution"), ("velocity", "residual_depth")),

@@ -8,12 +8,12 @@ from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedCo
 from winkler.study.chapters.kind import kind
 
 FIRST = Equation(
-    "At first the liquid stays, and the body is incompressible; F₁ is the force at a modulus of one",
+    "Initially the liquid has not moved, and the body is incompressible; F₁ is the force for a modulus of one",
     r"F_0 = 4G\,F_1(d)",
 )
-LAST = Equation("At last the network bears the force alone", r"F_\infty = \frac{F_0}{2(1-\nu)}")
+LAST = Equation("Finally the network carries the force alone", r"F_\infty = \frac{F_0}{2(1-\nu)}")
 SHARE = Equation(
-    "In between, the liquid diffuses out of the contact, sealed below the indenter and drained beside it",
+    "In between, the liquid diffuses out of the contact; the surface is sealed below the indenter and drained outside",
     r"F_N(t) = F_\infty + (F_0-F_\infty)\,g(\tau,\nu), \quad \tau = \frac{D\,t}{a^2}",
 )
 DIFFUSION = Equation(
@@ -21,8 +21,8 @@ DIFFUSION = Equation(
     r"D = \frac{2(1-\nu)}{1-2\nu}\,\frac{G\,k}{\eta}",
 )
 SCALED = Equation(
-    "Holds at other contact radii are shifted into one curve; the power of the radius tells a liquid, n = 2, from a "
-    "viscoelastic body, n = 0",
+    "Hold periods at different contact radii are shifted into one curve; the power n of the radius is 2 for a "
+    "poroelastic body, 0 for a viscoelastic one",
     r"t_j = t_1\left(\frac{a_j}{a_1}\right)^{n}",
 )
 
@@ -72,7 +72,7 @@ POROELASTIC = Chapter(
             picture=Caption(
                 "poroelastic",
                 "The force over time",
-                "Force from that of the incompressible body to that of the drained one.",
+                "Force from the incompressible to the drained limit.",
             ),
             curves=(("time", "force"),),
             pictured=PicturedContact.NONE,
@@ -91,8 +91,8 @@ POROELASTIC = Chapter(
             picture=Caption(
                 "holds",
                 "Holds of several contact radii",
-                "Forces with those of the poroelastic body, and times over the contact radius, against the laws of a "
-                "liquid and of a viscoelastic body.",
+                "Measured forces and those of the poroelastic body, and times over the contact radius, compared with "
+                "the laws of poroelastic and viscoelastic bodies.",
             ),
             curves=(("radius", "shift_factor"),),
             pictured=PicturedContact.NONE,

@@ -147,7 +147,7 @@ def _counts(outcome: FitOutcome) -> Iterator[str]:
         unfitted = sum(name in one.unfitted for one in comparisons) + len(outcome.refused)
         more = f", not fitted in {unfitted}" if unfitted else ""
         count = f"{len(comparisons) + len(outcome.refused)} curves"
-        yield f"Model '{name}': told from all others in {told}, possible in {possible} of {count}{more}."
+        yield f"Model '{name}': distinguished from all others in {told}, possible in {possible} of {count}{more}."
     if outcome.refused:
         names = [_refused(one) for one in outcome.refused[:MOST_NAMES]]
         more = f" and {len(outcome.refused) - MOST_NAMES} more" if len(outcome.refused) > MOST_NAMES else ""
