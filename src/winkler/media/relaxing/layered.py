@@ -61,8 +61,9 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
     """Bonded layers on a half-space or a rigid base, each with a separate relaxation function.
 
     The response depends on time, and is not proportional to one function. `ViscoelasticIndentation`, `CreepTest`,
-    `RelaxationTest`, `HarmonicIndentation` and `ViscoelasticImpact` support it, and `LineViscoelasticIndentation` in
-    line contact.
+    `RelaxationTest`, `HarmonicIndentation` and `ViscoelasticImpact` support it, with friction `Tangential`, `Torsion`,
+    `FrictionDamping` and `BimodalDamping`, in line contact `LineViscoelasticIndentation` and `LineTangential`, and
+    `SurfaceTangential` for height maps.
 
     Parameters
     ----------

@@ -297,9 +297,7 @@ class MapRow(Row[MapGoal, MapPlaces]):
             by_load=isinstance(drive, ByLoad),
         )  # fmt: skip
 
-    def _press(
-        self, drive: ByDepth | ByLoad, gaps: Array, start: Array, layers: SurfaceBelow | None
-    ) -> PressedSurface:
+    def _press(self, drive: ByDepth | ByLoad, gaps: Array, start: Array, layers: SurfaceBelow | None) -> PressedSurface:
         return press_from(gaps, self.pixel, drive, periodic=self.periodic, start=start, layers=layers)
 
     def _apart(self, gaps: Array, depth: float) -> PressedSurface:

@@ -56,8 +56,9 @@ class SurfaceTangential:
         Heights of both bodies together, up towards the other one; the medium is flat.  `SampledProfile` makes one of a
         ball, an ellipse or another profile.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, StackedHalfSpace or DepthGradedHalfSpace
-        Both bodies.  For layers normal displacements due to tractions are neglected.  Viscoelastic bodies need one
-        common relaxation function (ViscoelasticHalfSpace or RelaxingInProportion). The load history begins with the
+        Both bodies.  For layers normal displacements due to tractions are neglected.  Viscoelastic half-spaces need
+        one common relaxation function; layers may have one (RelaxingInProportion) or separate ones
+        (ViscoelasticCoatedHalfSpace). The load history begins with the
         first point of the path; a first load that is not zero is applied in one step.
     law : Coulomb, LinearSlipWeakening or ExponentialSlipWeakening
         Friction; each pixel has the coefficient that belongs to its own path of slip.
@@ -74,8 +75,8 @@ class SurfaceTangential:
     ------
     InvalidInput
         If heights are missing, the map is periodic and twisted, or the map is too large. If the numbers of the twist do
-        not fit the path, or the path already contains a twist.  If bodies relax by more than one function of time, or a
-        dashpot stands alongside.
+        not fit the path, or the path already contains a twist.  If half-spaces relax by more than one function of
+        time, a dashpot stands alongside, or a liquid leaves a film.
 
     References
     ----------

@@ -131,7 +131,9 @@ class LayeredDrag:
         """Return the energy that cells store in both directions [J]."""
         return state.pressed.stored + self.along.stored(state.dragged)
 
-    def pushed(self, state: DraggedLayers, point: MarchedPoint, span: float, goal: float, *, by_force: bool) -> DraggedLayers:
+    def pushed(
+        self, state: DraggedLayers, point: MarchedPoint, span: float, goal: float, *, by_force: bool
+    ) -> DraggedLayers:
         """Return the cells after a time [s], pressed as they are at its end, and moved as far or as hard as a goal."""
         held, before = point.state.load, state.dragged.load
         bounds = self.friction * (held if self.shares is None else self.shares @ held)
@@ -195,7 +197,7 @@ class LayeredDrag:
         return self._grids[key]
 
     def steps(self, start: float, end: float, size: float) -> Array:
-        """Return the times [s] at which steps end that lead from one time to another, and change loads by a size [-]."""
+        """Return when steps end that lead from one time [s] to another and change loads by a size [-]."""
         if end == start:
             return np.array([end])
         count = max(math.ceil(STEPS * size), LEAST_STEPS)
@@ -236,9 +238,7 @@ def dragged_layers(
     reach, done = contact_reach(owner, bed, normal, float(np.max(path.across))), 0
     twisted = owner == "Torsion"
     for _ in range(MOST_WIDENINGS):
-        row = LayeredDrag(
-            owner, bed, law.coefficient, twisted=twisted, reach=reach, count=count, tolerance=tolerance
-        )
+        row = LayeredDrag(owner, bed, law.coefficient, twisted=twisted, reach=reach, count=count, tolerance=tolerance)
         try:
             for i, state in enumerate(_along(row, path, most)):
                 if i >= done:
@@ -274,7 +274,7 @@ def _along(row: LayeredDrag, path: Path, most: Array) -> Iterator[DraggedLayers]
 
 
 def _twist_shares(place: Array) -> Array:
-    """Return what cells bear under a twist where all rings slide, over mu and by the line loads that press ``(n, n)``."""
+    """Return what cells bear under a twist where all rings slide, over mu, by the line loads that press ``(n, n)``."""
     from scipy.special import ellipk
 
     node, weight = gauss_legendre(NODES)

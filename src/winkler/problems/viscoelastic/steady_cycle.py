@@ -253,9 +253,7 @@ class Settling:
         )
 
 
-def _layered_cycle(
-    owner: str, bed: Bed, law: Coulomb, swing: Swing, count: int, tolerance: float
-) -> SteadyCycle:
+def _layered_cycle(owner: str, bed: Bed, law: Coulomb, swing: Swing, count: int, tolerance: float) -> SteadyCycle:
     """Return the cycle that repeats on layers that relax each by a law of its own, as of `steady_cycle`.
 
     After every cycle what cells remember is mixed with what they did.
@@ -264,7 +262,7 @@ def _layered_cycle(
     row = LayeredDrag(owner, bed, law.coefficient, twisted=False, reach=reach, count=count, tolerance=tolerance)
     by_force, goals, period = swing.lateral is ShearForce, swing.goals(), swing.period
     longest = ENDLESS * max(float(row.cells.times[-1]), float(row.along.times[-1]), period)
-    state, depth = row.begin(-2.0 * longest), min(swing.depth, 0.0)
+    state = row.begin(-2.0 * longest)
 
     def go(state: DraggedLayers, time: float, goal: DragGoal) -> DraggedLayers:
         point = row.march.go(time, Depth(0.0), state.pressed.state.depth, goal.across)
@@ -290,9 +288,7 @@ def _layered_cycle(
             force.append(state.load)
         point, pressing = state.pressed, row.march.lost - lost
         numbers = (*point.numbers()[:4], pressing, point.stored, pressing)
-        contact = ViscoelasticState(
-            *numbers, bed, row.place, point.state.load, row.cells.displacement(point.state)
-        )
+        contact = ViscoelasticState(*numbers, bed, row.place, point.state.load, row.cells.displacement(point.state))
         stuck = abs(row.stiffness(point.state.held, 2.0 * math.pi / period))
         cycle = SteadyCycle(
             np.array(shift), np.array(force), state.friction, state.bulk + pressing, pressing, math.inf, False, contact,

@@ -21,9 +21,9 @@ from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.problems.normal.validity import contact_notes
 from winkler.problems.ring_slip.twisted_layers import twisted_layer_notes
 from winkler.problems.round_march import RoundTwist
-from winkler.problems.viscoelastic.march import elastic_like
 from winkler.problems.viscoelastic.layered_drag import dragged_layers
 from winkler.problems.viscoelastic.layered_path import is_layered
+from winkler.problems.viscoelastic.march import elastic_like
 from winkler.problems.viscoelastic.tangential import DraggedCells, columns, dragged, layered_columns
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
@@ -86,8 +86,8 @@ def dragged_twist_notes(bed: Bed, states: Sequence[DraggedTwist]) -> tuple[Note,
     layers = is_layered("validity", bed)
     alike = "" if layers else ", and all bodies have one common relaxation function"
     statement = (
-        f"Torsion of a round contact and its normal load are uncoupled{alike}. For small rotations the springs are equal to the three-dimensional solution, as long as the "
-        "slip zone is an outer annulus. This "
+        f"Torsion of a round contact and its normal load are uncoupled{alike}. For small rotations the springs are "
+        "equal to the three-dimensional solution, as long as the slip zone is an outer annulus. This "
         + ("is the case at every point of the path" if nested else "is not the case at every point of the path")
         + f". Slip of each of the {states[-1].position.size} springs is decided at the end of every step."
     )
