@@ -157,7 +157,7 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
         """Return the elastic stack that answers alike at a rate [1/s], infinite for a sudden step."""
         return self.elastic_with(lambda solid: float(np.real(solid_at(solid, np.array(rate)).shear)))
 
-    def _least_share(self, s: ComplexArray) -> Array:
+    def _least_share(self, s: Any) -> Array:
         """Return the smallest compliance of a solid at rates [1/s] over that after all time."""
         shares = [solid.series.relaxed / np.abs(solid_at(solid, s).shear) for solid in self.relaxing_solids]
         return np.asarray(np.min(shares, axis=0))

@@ -103,7 +103,7 @@ class ElementsApart:
     medium : RelaxingByWaves
     """
 
-    def __init__(self, elements: LineElements, line: LayeredLineFoundation, medium: Any) -> None:
+    def __init__(self, elements: LineElements, line: Any, medium: Any) -> None:
         self.elements, modulus = elements, line.medium.modulus
         self.fit: RateFit = medium.rates
         beds = [dataclasses.replace(line, medium=medium.elastic_at(rate)) for rate in self.fit.rates.tolist()]

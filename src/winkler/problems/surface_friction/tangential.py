@@ -120,7 +120,11 @@ class SurfaceTangential:
     def __post_init__(self) -> None:
         around = 1 if self.topography.periodic else 4  # what is not repeated is padded to twice its lengths
         course = self._course[1]
-        terms = course.moduli.size if isinstance(course, RelaxationSeries) else (1 + around) * len(course.rates.times)
+        terms = (
+            course.moduli.size
+            if isinstance(course, RelaxationSeries)
+            else (1 + around) * len(course.rates.times if course.rates else ())
+        )
         remembered = 3 * terms  # of each term of the relaxation; waves of all around of what has its own law
         pixels = (2 * around + remembered) * self.topography.heights.size
         affordable("SurfaceTangential", "pixels of two directions with their surroundings", pixels, MOST_NUMBERS)
