@@ -74,12 +74,12 @@ class Stack:
 
 
 def twist_stiffness(stack, a, count=16):
-    """k_phi: torque 4 pi lim T/xi, energy pi int C T^2 xi dxi."""
+    """k_phi, of complex moduli complex: torque 4 pi lim T/xi, energy pi int C T^2 xi dxi."""
     orders = [2 * i + 1 for i in range(count)]
     matrix = 2.0 * np.pi * stack.energy(stack.across, stack.short[1], orders, a)
     torque = np.zeros(count)
     torque[0] = 4.0 * np.pi * a / 3.0
-    return float(torque @ np.linalg.solve(matrix, torque))
+    return (torque @ np.linalg.solve(matrix, torque)).item()
 
 
 def shear_stiffness(stack, a, count=16):
@@ -95,7 +95,7 @@ def shear_stiffness(stack, a, count=16):
                                [half[np.ix_(two, zero)], mean[np.ix_(two, two)]]])  # fmt: skip
     force = np.zeros(2 * count)
     force[0] = 2.0 * np.pi
-    return float(force @ np.linalg.solve(matrix, force))
+    return (force @ np.linalg.solve(matrix, force)).item()
 
 
 def sliding_disc(stack, pressure, a, c, order, count=10):

@@ -196,7 +196,7 @@ def test_what_is_refused():
             ViscoelasticCoatedHalfSpace([ViscoelasticLayer(solid, 0.1)], on=BASE)
     coated = bed(ViscoelasticCoatedHalfSpace([layer], on=BASE))
     with pytest.raises(InvalidInput, match="has its own relaxation function"):
-        wk.FrictionDamping(coated, wk.Coulomb(0.3), wk.Depth(1e-3), wk.Shift(1e-6), frequency=1.0)
+        wk.SlidingResistance(coated, wk.Depth(1e-3), speed=1.0)
     with pytest.raises(InvalidInput, match="body of revolution"):
         CreepTest(wk.PlaneFoundation(BALL, COATED), 1.0, [1.0])
     rubber = StandardSolid(1.0, 4.0, 1.0, poisson=0.5)

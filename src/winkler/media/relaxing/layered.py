@@ -61,8 +61,9 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
     """Bonded layers on a half-space or a rigid base, each with a separate relaxation function.
 
     The response depends on time, and is not proportional to one function. `ViscoelasticIndentation`, `CreepTest`,
-    `RelaxationTest`, `HarmonicIndentation` and `ViscoelasticImpact` support it, and `LineViscoelasticIndentation` in
-    line contact.
+    `RelaxationTest`, `HarmonicIndentation` and `ViscoelasticImpact` support it, with friction `Tangential`, `Torsion`,
+    `FrictionDamping` and `BimodalDamping`, in line contact `LineViscoelasticIndentation` and `LineTangential`, and
+    `SurfaceTangential` for height maps.
 
     Parameters
     ----------
@@ -156,7 +157,7 @@ class ViscoelasticCoatedHalfSpace(RelaxingByWaves):
         """Return the elastic stack that answers alike at a rate [1/s], infinite for a sudden step."""
         return self.elastic_with(lambda solid: float(np.real(solid_at(solid, np.array(rate)).shear)))
 
-    def _least_share(self, s: ComplexArray) -> Array:
+    def _least_share(self, s: Any) -> Array:
         """Return the smallest compliance of a solid at rates [1/s] over that after all time."""
         shares = [solid.series.relaxed / np.abs(solid_at(solid, s).shear) for solid in self.relaxing_solids]
         return np.asarray(np.min(shares, axis=0))

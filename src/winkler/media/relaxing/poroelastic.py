@@ -66,7 +66,7 @@ class PoroelasticFilm(RelaxingByWaves):
     shorter than this time. The force is therefore 3 % too high at the time 1e-4 h^2/D, and 0.3 % at 1e-3 h^2/D.
 
     The response depends on time. `ViscoelasticIndentation`, `CreepTest`, `RelaxationTest`, `HarmonicIndentation` and
-    `ViscoelasticImpact` support it, and `LineViscoelasticIndentation` in line contact.
+    `ViscoelasticImpact` support it, `Torsion`, and `LineViscoelasticIndentation` in line contact.
 
     Parameters
     ----------
@@ -175,8 +175,8 @@ class PoroelasticFilm(RelaxingByWaves):
         if part is not Wave.NORMAL:
             raise OutsideValidity(
                 f"PoroelasticFilm: the response of its surface to waves of the kind {part.name.lower()} is not "
-                "implemented, only that to pressure and to a twist. Leave friction out, or give an elastic CoatedHalfSpace, "
-                "with the drained Poisson's ratio for long times or poisson=0.5 for short times."
+                "implemented, only that to pressure and to a twist. Leave friction out, or give an elastic "
+                "CoatedHalfSpace, with the drained Poisson's ratio for long times or poisson=0.5 for short times."
             )
         found = drained_waves(np.asarray(s) * self.diffusion_time, xi * self.thickness, self.poisson)
         return both(part, found / self.shear, solid_at(self.second, s))

@@ -6,7 +6,9 @@ Under a unit pressure on a rectangle the displacement over that of E* is Love's 
 
 from __future__ import annotations
 
+import functools
 import math
+from collections.abc import Callable
 from typing import NamedTuple, Protocol, TypeAlias
 
 import numpy as np
@@ -24,6 +26,8 @@ TESTED_WAVE = 16.0
 MOST_LOST = 0.1
 """Part of the displacement under it that may be wrong."""
 TESTED_OVERTONES = 64
+KEPT_PIXELS = 2**18
+"""Pixels up to which the displacements of the parts of a sum are kept."""
 
 
 class GridResponse(WaveResponse, Protocol):
@@ -138,7 +142,55 @@ class LayeredSurface(NamedTuple):
             )
 
 
-SurfaceBelow: TypeAlias = LayeredSurface | PowerLawSurface
+class MixedSurface(NamedTuple):
+    """A layered surface whose compliance is a sum of those of others; units as of `LayeredSurface`.
+
+    Parameters
+    ----------
+    parts : tuple of LayeredSurface
+    weights : tuple of float
+        Of the compliances of the parts, each over its own modulus, in that of the sum; they add up to one.
+    """
+
+    parts: tuple[LayeredSurface, ...]
+    weights: tuple[float, ...]
+
+    def in_units_of(self, length: float) -> MixedSurface:
+        """Return the same with lengths measured by this one."""
+        return self._replace(parts=tuple(part.in_units_of(length) for part in self.parts))
+
+    @property
+    def mean(self) -> float:
+        """As of `LayeredSurface`."""
+        return float(self._sum(lambda part: np.array(part.mean)))
+
+    def whole(self, wave: Array) -> Array:
+        """As of `LayeredSurface`."""
+        return self._sum(lambda part: part.whole(wave))
+
+    def pixels(self, shape: tuple[int, int], pixel: tuple[float, float]) -> Array:
+        """As of `LayeredSurface`; those of parts are kept for the next sum."""
+        found = _kept_pixels if shape[0] * shape[1] <= KEPT_PIXELS else LayeredSurface.pixels
+        return self._sum(lambda part: found(part, shape, pixel))
+
+    def slices(self, edges: Array, across: float, rows: int) -> Array:
+        """As of `LayeredSurface`."""
+        return self._sum(lambda part: part.slices(edges, across, rows))
+
+    def lost(self, pixel: tuple[float, float]) -> float:
+        """As of `LayeredSurface`, the greatest of all parts."""
+        return max(part.lost(pixel) for part in self.parts)
+
+    def _sum(self, answer: Callable[[LayeredSurface], Array]) -> Array:
+        return np.asarray(sum(weight * answer(part) for part, weight in zip(self.parts, self.weights, strict=True)))
+
+
+@functools.lru_cache(maxsize=128)
+def _kept_pixels(part: LayeredSurface, shape: tuple[int, int], pixel: tuple[float, float]) -> Array:
+    return part.pixels(shape, pixel)
+
+
+SurfaceBelow: TypeAlias = LayeredSurface | MixedSurface | PowerLawSurface
 """What lies below a surface that is not a homogeneous half-space."""
 
 

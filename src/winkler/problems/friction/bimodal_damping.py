@@ -111,8 +111,8 @@ class BimodalDamping(PerLoad[Q]):
     ------
     InvalidInput
         If one of them is out of bounds, the shapes do not go together, or the method is another one.  If viscoelastic
-        bodies have no frequency, are liquids at long times, have a dashpot in parallel, or have layers with separate
-        relaxation functions. If elastic bodies have a frequency.
+        bodies have no frequency, are liquids at long times, or have a dashpot in parallel. If elastic bodies
+        have a frequency.
     OutsideValidity
         If rings are requested on a medium that does not support them, or for a contact that is not a disc.
 

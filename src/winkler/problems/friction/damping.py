@@ -86,8 +86,8 @@ class FrictionDamping(PerLoad[Q]):
     ------
     InvalidInput
         If the law is not Coulomb's, its coefficient not positive and finite, the normal load an array, or an amplitude
-        negative.  If viscoelastic bodies have no frequency, are liquids at long times, have a dashpot in parallel, or
-        have layers with separate relaxation functions. If elastic bodies have a frequency.
+        negative.  If viscoelastic bodies have no frequency, are liquids at long times, or have a dashpot in
+        parallel. If elastic bodies have a frequency.
     OutsideValidity
         If RINGS are requested on another medium, or for a contact that is not a disc.
 

@@ -88,10 +88,10 @@ class Tangential:
     ------
     InvalidInput
         If the path twists the bodies (use Torsion), or the law is not a law of friction. If the method supports neither
-        this law nor planar paths.  If bodies relax by more than one function of time, their law is not Coulomb's, or
-        their path leaves its line.
+        this law nor planar paths.  If the law of bodies that relax is not Coulomb's, or their path leaves its
+        line.
     OutsideValidity
-        If RINGS are requested on another medium, or for a contact that is not a disc.
+        If RINGS are requested on another medium, or for a contact that is not a disc.  If a liquid leaves a film.
 
     References
     ----------

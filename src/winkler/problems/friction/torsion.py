@@ -55,8 +55,9 @@ class Torsion:
     Parameters
     ----------
     bed : Bed
-        Foundation(profile, medium) or PlaneFoundation(plane_profile, medium), elastic or with one common relaxation
-        function. The medium is a homogeneous half-space, layers (bonded or sliding), or a body graded in depth.
+        Foundation(profile, medium) or PlaneFoundation(plane_profile, medium), elastic or viscoelastic. The
+        medium is a homogeneous half-space, layers (bonded or sliding), or a body graded in depth.  Viscoelastic bodies
+        have one common relaxation function, or are layers with separate ones.
     law : Coulomb
         Law of friction.
     path : Path
@@ -70,7 +71,7 @@ class Torsion:
     Raises
     ------
     InvalidInput
-        If the law is not Coulomb's, the path prescribes a shift, or layers have separate relaxation functions.
+        If the law is not Coulomb's, the path prescribes a shift.
     OutsideValidity
         If the foundation is a `MeasuredBed`, for which the friction limit of the springs is not known.
 

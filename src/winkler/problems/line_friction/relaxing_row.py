@@ -80,7 +80,7 @@ class ElementsAlike:
         self.grid = StuckStrip(elements.compliance, elements.widths)
 
     def effective(self, shares: Array) -> tuple[StuckStrip, float]:
-        """Return elements and what their compliance is multiplied by where parts of each term have crept ``(2 + k,)``."""
+        """Return elements, and a factor of their compliance, where parts of each term have crept ``(2 + k,)``."""
         return self.grid, float(self.factors @ shares)
 
     def moved(self, parts: Array) -> Array:
@@ -103,7 +103,7 @@ class ElementsApart:
     medium : RelaxingByWaves
     """
 
-    def __init__(self, elements: LineElements, line: LayeredLineFoundation, medium: Any) -> None:
+    def __init__(self, elements: LineElements, line: Any, medium: Any) -> None:
         self.elements, modulus = elements, line.medium.modulus
         self.fit: RateFit = medium.rates
         beds = [dataclasses.replace(line, medium=medium.elastic_at(rate)) for rate in self.fit.rates.tolist()]
@@ -112,7 +112,7 @@ class ElementsApart:
         self.terms = self._terms(lambda bed: bed.shear_compliance(edges))
 
     def _terms(self, answer: Callable[[LayeredLineFoundation], Array | float]) -> Array:
-        """Return the terms of what elastic lines answer to forces over their modulus; the second, that flows, is zero."""
+        """Return the terms of what elastic lines answer to forces over their modulus; what flows is zero."""
         answers = np.stack([share * np.asarray(answer(bed)) for bed, share in self.lines])
         found = self.fit.terms(answers)
         return np.insert(found, 1, 0.0, axis=0)
@@ -328,7 +328,7 @@ class RelaxingElementRow(ElementRow):
 
         What is carried has flowed, and is delayed by each term.
         """
-        gone, share = _faded(self.creep, dt)
+        share = _faded(self.creep, dt)[1]
         flowed, delayed = self._kept(cells, np.zeros(cells.traction.size), dt)
         grid, compliance = self.sheared.effective(np.concatenate([[1.0, 0.5 * dt], share]))
         return grid, compliance, self.sheared.moved(np.vstack([0.0 * flowed, flowed, delayed]))
@@ -368,9 +368,8 @@ def refuse_timeless(bed: LineFoundation | LayeredLineFoundation, path: LinePath,
     medium: Any = bed.medium
     if not (medium.in_proportion or medium.rates):
         raise InvalidInput(
-            f"LineTangential: {medium.reason} Wide and narrow contacts therefore relax differently. This problem "
-            "needs one relaxation function for all elements. Give LayeredLineFoundation(profile, "
-            "RelaxingInProportion(medium, solid, shear)) of layers with a common relaxation function."
+            f"LineTangential: {medium.reason} The response to shear during the flow is not implemented. Give "
+            f"{medium.alike}."
         )
     if method is Method.EXACT:
         raise InvalidInput(

@@ -59,8 +59,8 @@ class LineTangential:
     Parameters
     ----------
     bed : LineFoundation, LayeredLineFoundation or PowerLawLineFoundation
-        Profile and bodies: half-planes, or layers that transmit shear to the base, elastic or with one common
-        relaxation function.
+        Profile and bodies: half-planes, or layers that transmit shear to the base, elastic or viscoelastic, with one
+        common relaxation function or separate ones.
     law : Coulomb
         Law of friction.
     path : LinePath
@@ -72,8 +72,8 @@ class LineTangential:
     Raises
     ------
     InvalidInput
-        If the method is another one.  If bodies relax by separate relaxation functions, or the path has no time.  If
-        there is a bulk stress in a rigid body, or in layers on a rigid base.
+        If the method is another one.  If bodies relax along a path without time, or a liquid leaves a film.  If the
+        body, or what carries its layers, is rigid and there is a bulk stress.
     OutsideValidity
         If a layer slides on the material below.
 

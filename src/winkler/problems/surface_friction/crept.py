@@ -16,8 +16,7 @@ import numpy as np
 
 from winkler.media.mapped import layers_of
 from winkler.media.relaxing.by_waves import RelaxingByWaves
-from winkler.numerics.pixels.layered import LayeredSurface, SurfaceBelow
-from winkler.numerics.pixels.mixed import MixedSurface
+from winkler.numerics.pixels.layered import LayeredSurface, MixedSurface, SurfaceBelow
 from winkler.numerics.springs.rate_fit import RateFit
 from winkler.numerics.surfaces.surface_grid import SurfaceGrid
 from winkler.numerics.surfaces.traction_grid import TractionGrid

@@ -69,8 +69,7 @@ def course_of(owner: str, medium: Any) -> tuple[MappedMedium, RelaxationSeries |
         return medium.elastic, medium
     if not medium.in_proportion:
         raise InvalidInput(
-            f"{owner}: {medium.reason} Wide and narrow contacts therefore relax differently. This problem needs "
-            f"one relaxation function for all pixels. Give {medium.alike}."
+            f"{owner}: {medium.reason} The response to shear during the flow is not implemented. Give {medium.alike}."
         )
     series = medium.relaxation
     if series.viscosity > 0.0:
@@ -166,8 +165,8 @@ class SurfaceMemory(NamedTuple):
         held, parts = borne + self.base, self.parts
         change = held - self.held
         if self.spans.size > 0:
-            fading, rising = (row[:, None, None, None] for row in (np.exp(-self.spans), rising(self.spans)))
-            parts = fading * parts + rising * change
+            fade, rise = (row[:, None, None, None] for row in (np.exp(-self.spans), rising(self.spans)))
+            parts = fade * parts + rise * change
         return self._replace(held=held, change=change, parts=parts, earlier=self.parts)
 
     def energies(self, grid: TractionGrid, box: tuple[slice, slice], moved: Array) -> tuple[float, float]:
@@ -186,9 +185,9 @@ class SurfaceMemory(NamedTuple):
         stored, lost = 0.5 * series.relaxed * float(np.sum(self.held[here] * moved)), 0.0
         if self.spans.size == 0:
             return stored, lost
-        change, fading, rising = self.change[here], np.exp(-self.spans), rising(self.spans)
+        change, fades, rises = self.change[here], np.exp(-self.spans), rising(self.spans)
         turned = grid.sheared(change)
-        terms = zip(series.moduli.tolist(), self.spans.tolist(), fading, rising, self.earlier, strict=True)
+        terms = zip(series.moduli.tolist(), self.spans.tolist(), fades, rises, self.earlier, strict=True)
         for modulus, span, fade, rise, part in terms:
             first = part[here]
             moved_first = grid.sheared(first)
@@ -219,9 +218,17 @@ def relaxing_map_notes(medium: Any, time: Array) -> tuple[Note, ...]:
     """Return what is assumed of bodies that relax on a path through moments [s]; nothing of elastic ones."""
     if not relaxes(medium):
         return ()
-    return (COURSE, *path_notes(medium, time), *relaxing_yield(medium))
+    return (COURSE if medium.in_proportion else LAYERED, *path_notes(medium, time), *relaxing_yield(medium))
 
 
+LAYERED = Note(
+    Assumption.RESPONSE,
+    Standing.ASYMPTOTIC,
+    "Each layer has its own relaxation function and a constant Poisson's ratio. The response of the pixels is a sum of "
+    "exponentials in time, with an error below 1e-4. Tractions are assumed linear in time between the points of the "
+    "path. Errors are proportional to the square of the step size; compare with twice the points.",
+    LEE,
+)
 COURSE = Note(
     Assumption.RESPONSE,
     Standing.ASYMPTOTIC,

@@ -56,8 +56,9 @@ class SurfaceTangential:
         Sum of the heights of both bodies, positive towards the other body; the medium is flat.  `SampledProfile` makes
         one of a ball, an ellipse or another profile.
     medium : HalfSpace, TransverselyIsotropicHalfSpace, CoatedHalfSpace, StackedHalfSpace or DepthGradedHalfSpace
-        Both bodies.  For layers normal displacements due to tractions are neglected.  Viscoelastic bodies need one
-        common relaxation function (ViscoelasticHalfSpace or RelaxingInProportion). The load history begins with the
+        Both bodies.  For layers normal displacements due to tractions are neglected.  Viscoelastic half-spaces need
+        one common relaxation function; layers may have one (RelaxingInProportion) or separate ones
+        (ViscoelasticCoatedHalfSpace). The load history begins with the
         first point of the path; a first load that is not zero is applied in one step.
     law : Coulomb, LinearSlipWeakening or ExponentialSlipWeakening
         Law of friction; the coefficient of each pixel depends on its own slip distance.
@@ -74,8 +75,8 @@ class SurfaceTangential:
     ------
     InvalidInput
         If heights are missing, the map is periodic and twisted, or the map is too large. If the numbers of the twist do
-        not fit the path, or the path already contains a twist.  If bodies relax by more than one function of time, or a
-        dashpot stands alongside.
+        not fit the path, or the path already contains a twist.  If half-spaces relax by more than one function of
+        time, a dashpot stands alongside, or a liquid leaves a film.
 
     References
     ----------
@@ -119,7 +120,11 @@ class SurfaceTangential:
     def __post_init__(self) -> None:
         around = 1 if self.topography.periodic else 4  # what is not repeated is padded to twice its lengths
         course = self._course[1]
-        terms = course.moduli.size if isinstance(course, RelaxationSeries) else (1 + around) * len(course.rates.times)
+        terms = (
+            course.moduli.size
+            if isinstance(course, RelaxationSeries)
+            else (1 + around) * len(course.rates.times if course.rates else ())
+        )
         remembered = 3 * terms  # of each term of the relaxation; waves of all around of what has its own law
         pixels = (2 * around + remembered) * self.topography.heights.size
         affordable("SurfaceTangential", "pixels of two directions with their surroundings", pixels, MOST_NUMBERS)

@@ -197,7 +197,7 @@ class LayeredDrag:
         return self._grids[key]
 
     def steps(self, start: float, end: float, size: float) -> Array:
-        """Return the times [s] at which steps end that lead from one time to another, and change loads by a size [-]."""
+        """Return when steps end that lead from one time [s] to another and change loads by a size [-]."""
         if end == start:
             return np.array([end])
         count = max(math.ceil(STEPS * size), LEAST_STEPS)
@@ -274,7 +274,7 @@ def _along(row: LayeredDrag, path: Path, most: Array) -> Iterator[DraggedLayers]
 
 
 def _twist_shares(place: Array) -> Array:
-    """Return what cells bear under a twist where all rings slide, over mu and by the line loads that press ``(n, n)``."""
+    """Return what cells bear under a twist where all rings slide, over mu, by the line loads that press ``(n, n)``."""
     from scipy.special import ellipk
 
     node, weight = gauss_legendre(NODES)

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -213,13 +213,14 @@ def steady_cycle(owner: str, bed: Bed, law: Coulomb, swing: Swing, count: int, t
     for turn in range(MOST_CYCLES):
         start = state
         state, cycle = _through(row, bed, goals, start)
-        if settling.settled(cycle):
-            if cycle.ring:
+        settled = settling.settled(cycle)
+        if settled:
+            if settled.ring:
                 raise OutsideValidity(
                     f"{owner}: the body touches around a dent that does not recover within a cycle, so the "
                     "contact is not a disc; give a smaller amplitude of the depth, or a lower frequency."
                 )
-            return settling.last
+            return settled
         state = _averaged(row, start, state, period)
         change = [two - one for one, two in zip(_memories(start), _memories(state), strict=True)]
         if turn % 3 == 2 and last is not None:
@@ -233,17 +234,17 @@ class Settling:
 
     def __init__(self, tolerance: float) -> None:
         self.allowed, self.small, self.error = max(STEADY_STEPS * tolerance, LEAST_STEADY), 0, math.inf
-        self.last: Any = None
+        self.last: SteadyCycle | None = None
 
-    def settled(self, cycle: SteadyCycle) -> bool:
-        """Take the next cycle, and return whether it repeats."""
+    def settled(self, cycle: SteadyCycle) -> SteadyCycle | None:
+        """Take the next cycle, and return it if it repeats."""
         if self.last is not None:
             previous, self.error = self.error, cycle.apart(self.last)
             cycle = cycle._replace(change=self.error)
             falls = min(self.error / previous, 0.99) if 0.0 < previous < math.inf else 0.5
             self.small = self.small + 1 if self.error * max(1.0, falls / (1.0 - falls)) <= self.allowed else 0
         self.last = cycle
-        return self.small == 2
+        return cycle if self.small == 2 else None
 
     def failed(self, owner: str) -> NotConverged:
         """Return the error of cycles that do not repeat."""
@@ -262,7 +263,7 @@ def _layered_cycle(owner: str, bed: Bed, law: Coulomb, swing: Swing, count: int,
     row = LayeredDrag(owner, bed, law.coefficient, twisted=False, reach=reach, count=count, tolerance=tolerance)
     by_force, goals, period = swing.lateral is ShearForce, swing.goals(), swing.period
     longest = ENDLESS * max(float(row.cells.times[-1]), float(row.along.times[-1]), period)
-    state, depth = row.begin(-2.0 * longest), min(swing.depth, 0.0)
+    state = row.begin(-2.0 * longest)
 
     def go(state: DraggedLayers, time: float, goal: DragGoal) -> DraggedLayers:
         point = row.march.go(time, Depth(0.0), state.pressed.state.depth, goal.across)
@@ -294,8 +295,9 @@ def _layered_cycle(owner: str, bed: Bed, law: Coulomb, swing: Swing, count: int,
             np.array(shift), np.array(force), state.friction, state.bulk + pressing, pressing, math.inf, False, contact,
             stuck,
         )  # fmt: skip
-        if settling.settled(cycle):
-            return settling.last
+        settled = settling.settled(cycle)
+        if settled:
+            return settled
         state = _with_kept(state, mixing.next(_kept(start), _kept(state)))
         row.march.state = state.pressed.state
     raise settling.failed(owner)

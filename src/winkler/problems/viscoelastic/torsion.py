@@ -86,8 +86,8 @@ def dragged_twist_notes(bed: Bed, states: Sequence[DraggedTwist]) -> tuple[Note,
     layers = is_layered("validity", bed)
     alike = "" if layers else ", and all bodies have one common relaxation function"
     statement = (
-        f"Torsion of a round contact and its normal load are uncoupled{alike}. For small rotations the springs are equal to the three-dimensional solution, as long as the "
-        "slip zone is an outer annulus. This "
+        f"Torsion of a round contact and its normal load are uncoupled{alike}. For small rotations the springs are "
+        "equal to the three-dimensional solution, as long as the slip zone is an outer annulus. This "
         + ("is the case at every point of the path" if nested else "is not the case at every point of the path")
         + f". Slip of each of the {states[-1].position.size} springs is decided at the end of every step."
     )
