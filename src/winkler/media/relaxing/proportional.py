@@ -92,10 +92,8 @@ class RelaxingInProportion(RelaxingLayers):
         """The medium with the moduli that it was given."""
         return self.medium
 
-    @property
-    def bodies(self) -> ElasticMedium:
-        """The medium that names the solids."""
-        return self.medium
+    bodies = elastic
+    """The medium that names the solids."""
 
     @property
     def thickness(self) -> float:
