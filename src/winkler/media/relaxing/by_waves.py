@@ -66,8 +66,10 @@ class RelaxingByWaves(RelaxingLayers, Protocol):
         """The stack after all time, as what pictures and notes show it."""
         return self.relaxed
 
-    bodies = elastic
-    """The stack that names the solids."""
+    @property
+    def bodies(self) -> CoatedHalfSpace:
+        """The stack that names the solids."""
+        return self.relaxed
 
     relaxation = creep = property(RelaxingMedium._changing)  # type: ignore[misc]
     gap = gap_slope = kinks = punch_facts = RelaxingMedium._changing  # type: ignore[misc]
