@@ -27,15 +27,10 @@ __all__ = ["EllipticOutline", "Footprint", "RoundOutline", "UnknownOutline", "fo
 class RoundOutline:
     """The contact is a disc whose radius is that of the springs."""
 
-    @property
-    def unlike_disc(self) -> str:
-        """Nothing: it is one."""
-        return ""
-
-    @property
-    def shear_share(self) -> float:
-        """Mean of cos^2 of the angle to the shear [-]."""
-        return 0.5
+    unlike_disc = ""
+    """Nothing: it is one."""
+    shear_share = 0.5
+    """Mean of cos^2 of the angle to the shear [-]."""
 
     def area(self, radius: Array) -> Array:
         """Area of the contact [m^2]."""
@@ -62,6 +57,9 @@ class UnknownOutline:
     origin: str
     instead: str
 
+    shear_share = 0.5
+    """Mean of cos^2 over both directions [-]; each for itself is not known."""
+
     @property
     def unlike_disc(self) -> str:
         """What the springs stand for, which results they give, and what to use instead."""
@@ -69,11 +67,6 @@ class UnknownOutline:
             f"the foundation represents {self.origin}: it gives force, depth and stiffness, not the outline of "
             f"the contact; {self.instead}"
         )
-
-    @property
-    def shear_share(self) -> float:
-        """Mean of cos^2 over both directions [-]; each for itself is not known."""
-        return 0.5
 
     def area(self, radius: Array) -> Array:
         """Refused."""

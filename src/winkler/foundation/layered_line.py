@@ -450,12 +450,6 @@ class LayeredLineFoundation(LineBed):
         """Return the same of tractions along the strip's width."""
         return LayeredStrips(nodes, self.medium.along_response)
 
-    def opening(self, x: Array, half_width: float) -> Array:
-        """Return the slope h'(x) [-] of the distance of the surfaces at x > a, by small differences."""
-        step = 1e-4 * half_width
-        beyond, before = (self.separation(place, half_width, 0.0) for place in (x + step, np.maximum(x - step, 0.0)))
-        return np.asarray((beyond - before) / (2.0 * step))
-
     def separation(self, x: Array, half_width: float, rim_load: float) -> Array:
         """Return the distance of the surfaces [m] at places x >= 0, zero inside."""
         if half_width == 0.0:

@@ -36,14 +36,12 @@ import numpy as np
 
 from winkler.foundation.line_bed import LineBed, Zone
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.media.layered.wave_constants import Body
 from winkler.numerics.fields.half_plane import Pile, potential
 from winkler.numerics.integrals.adaptive_quadrature import settled
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.transforms import abel
 from winkler.numerics.transforms.abel_intervals import noise
-from winkler.numerics.transforms.strips.strip_transforms import StripTransforms
 from winkler.numerics.types import Array, Curve
 from winkler.profiles.flat import CappedCylinder
 from winkler.profiles.line_transform import line_load, line_load_slope
@@ -105,16 +103,6 @@ class LineFoundation(LineBed):
         shape = self.profile.cap if isinstance(self.profile, CappedCylinder) else self.profile
         return shape.curvature_radius if isinstance(shape, Paraboloid) else math.inf
 
-    @property
-    def surfaces(self) -> tuple[Body, Body]:
-        """The two bodies."""
-        return self.medium.first, self.medium.second
-
-    @property
-    def strained(self) -> Body:
-        """The first body, which a bulk stress strains."""
-        return self.surfaces[0]
-
     def half_width(self, load: Array) -> Array | None:
         """Return the half-widths [m] under loads per length over E* [m], of a parabolic cylinder."""
         return np.sqrt(4.0 * self._round * load / math.pi) if self.hertzian else None
@@ -126,11 +114,6 @@ class LineFoundation(LineBed):
     def load_profile_slope(self, half_width: Array) -> Array:
         """w'(a) [-]."""
         return line_load_slope(self.profile, half_width)
-
-    @property
-    def half_plane(self) -> LineFoundation:
-        """The bed itself."""
-        return self
 
     def repeated(self, profile: Profile, pitch: float) -> LineFoundation:
         """Return the foundation of strips at a pitch [m] with a given profile over u."""
@@ -201,10 +184,6 @@ class LineFoundation(LineBed):
         angles = np.arcsin(np.minimum(edges / half_width, 1.0))
         share = self.medium.modulus * half_width**2 / (4.0 * self._round)
         return np.asarray(share * np.diff(0.5 * np.sin(2.0 * angles) + angles) / np.diff(edges))
-
-    def grid_transforms(self, nodes: Array) -> StripTransforms:
-        """Return the transforms of worn contacts between nodes [m]."""
-        return StripTransforms(nodes)
 
     def separation(self, x: Array, half_width: float, rim_load: float) -> Array:
         """Return the distance of the surfaces [m] at places x >= 0, zero inside."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, ClassVar, Protocol
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from winkler.media.layered.wave_constants import Body, Wave, constants_of, half_
 from winkler.numerics.surfaces.strip_elements import element_compliance, hats, linear_slope
 from winkler.numerics.surfaces.strip_grid import strip_compliance
 from winkler.numerics.transforms.grid_transforms import GridTransforms
+from winkler.numerics.transforms.strips.strip_transforms import StripTransforms
 from winkler.numerics.types import Array
 from winkler.profiles.area import AreaFunction
 from winkler.profiles.profile import Profile
@@ -103,8 +104,8 @@ class LineBed:
 
     @property
     def half_plane(self) -> LineBed:
-        """The same profile on half-planes of what carries the surface: a bed of which all is known in closed form."""
-        raise NotImplementedError
+        """The same profile on half-planes of what carries the surface, of which all is known in closed form: itself."""
+        return self
 
     @property
     def hertz_radius(self) -> float:
@@ -124,7 +125,8 @@ class LineBed:
     @property
     def surfaces(self) -> tuple[Body, Body]:
         """The solids at the surfaces of the first and the second body."""
-        raise NotImplementedError
+        medium: Any = self.medium
+        return medium.first, medium.second
 
     @property
     def mismatch(self) -> float:
@@ -147,7 +149,7 @@ class LineBed:
     @property
     def strained(self) -> Elastic | TransverselyIsotropic | Rigid:
         """The solid of the first body far below the contact, which a bulk stress strains."""
-        raise NotImplementedError
+        return self.surfaces[0]
 
     @property
     def strain_per_stress(self) -> float:
@@ -394,15 +396,17 @@ class LineBed:
 
     def grid_transforms(self, nodes: Array) -> GridTransforms:
         """Return the transforms of worn contacts between nodes [m] ``(n,)``."""
-        raise NotImplementedError
+        return StripTransforms(nodes)
 
     def shear_transforms(self, nodes: Array) -> GridTransforms:
         """Return the same of tractions along the strip's width, as of `grid_transforms` if they move surfaces alike."""
         return self.grid_transforms(nodes)
 
     def opening(self, x: Array, half_width: float) -> Array:
-        """Return the slope h'(x) [-] of the distance of the surfaces at x > a."""
-        raise NotImplementedError
+        """Return the slope h'(x) [-] of the distance of the surfaces at x > a, by small differences."""
+        step = 1e-4 * half_width
+        beyond, before = (self.separation(place, half_width, 0.0) for place in (x + step, np.maximum(x - step, 0.0)))
+        return np.asarray((beyond - before) / (2.0 * step))
 
     def surface_potential(self, x: Array, half_width: float, rim_load: float) -> Array:
         """Return F(x) [Pa] of `winkler.numerics.fields.half_plane` on the surface, at x >= 0."""

@@ -143,11 +143,6 @@ class PowerLawLineFoundation(LineBed):
         """Zero: equal bodies have no coupling, and that of others is neglected."""
         return np.zeros(x.shape)
 
-    @property
-    def half_plane(self) -> PowerLawLineFoundation:
-        """The bed itself: no half-plane carries the surface, and all of the bed is known in closed form."""
-        return self
-
     def edge_share(self, half_width: Array) -> Array:
         r"""Return by how much less tension at the edges of a flat punch releases an energy than on half-planes [-].
 

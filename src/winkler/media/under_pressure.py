@@ -19,7 +19,7 @@ import math
 import numpy as np
 
 from winkler.media.body_of import exponent_of, surface_slope
-from winkler.media.layered.coated_load import settled_sums
+from winkler.media.layered.coated_load import kernel_steps, settled_sums
 from winkler.media.medium import Medium
 from winkler.media.offers import PressedWaves, offers
 from winkler.numerics.chunks import chunks
@@ -42,8 +42,6 @@ PRESSURE_NODES = 200
 """Nodes of the integral over that pressure, of which only a cubic spline is known."""
 SETTLED_TOLERANCE, LAST_TOLERANCE = 1e-12, 1e-9
 RESTLESS = "The sinking of the layers under the pressure still moves by {:.1e}; give a smoother pressure."
-FIRST_DISTANCE = 2.0
-"""First distance from where the kernel is sharp, in lengths of the kernel; the others double."""
 
 
 @value
@@ -163,8 +161,7 @@ def _share(response: WaveResponse, bare: PressureIndentation) -> Panels:
     """Return K phi on the disc."""
     a = bare.radius
     kernel = transform(response, 2.0 * a)
-    first = FIRST_DISTANCE * response.length
-    steps = first * 2.0 ** np.arange(max(1, math.ceil(math.log2(max(2.0 * a / first, 1.0))) + 1))
+    steps = kernel_steps(response, 2.0 * a)
     size = float(bare.springs(np.zeros(1))[0])
 
     def sums(count: int, x: Array) -> Array:

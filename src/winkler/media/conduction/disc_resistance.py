@@ -120,10 +120,8 @@ class PlatedResponse:
         """Thickness of the thinner plating [m]."""
         return min(body.thickness for body in self._platings)
 
-    @property
-    def smooth(self) -> float:
-        """The same [m]."""
-        return self.length
+    smooth = length
+    """The same [m]."""
 
     @property
     def span(self) -> float:

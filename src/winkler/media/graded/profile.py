@@ -38,15 +38,12 @@ class Transform(Protocol):
 
     def gap(self, x: Array) -> Array:
         """g(x) [m]."""
-        ...
 
     def gap_slope(self, x: Array) -> Array:
         """g'(x) [-]; at a kink, the value just below it."""
-        ...
 
     def gap_integral(self, x: Array) -> Array:
         """The integral of x^k g from 0 to x [m^(2+k)]."""
-        ...
 
 
 def transform(profile: Profile, k: float) -> Transform:

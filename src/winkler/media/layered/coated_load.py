@@ -31,7 +31,7 @@ from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 from winkler.values.value import value
 
-__all__ = ["CarriedLoad", "settled_sums", "spread", "surface"]
+__all__ = ["CarriedLoad", "kernel_steps", "settled_sums", "spread", "surface"]
 
 RULE_NODES = (16, 32, 64)
 SETTLED_TOLERANCE = 1e-12
@@ -110,7 +110,7 @@ def surface(displacement: Displacement, response: WaveResponse, r: Array) -> Arr
     return own + abel.surface(lambda x: np.asarray(layers(x)[0]), list(layers.edges[1:-1]), r)
 
 
-def _steps(response: WaveResponse, reach: float) -> Array:
+def kernel_steps(response: WaveResponse, reach: float) -> Array:
     """Return the distances at which an integral over the kernel is cut."""
     first = FIRST_DISTANCE * response.length
     return np.asarray(first * 2.0 ** np.arange(max(1, math.ceil(math.log2(max(reach / first, 1.0))) + 1)))
@@ -148,7 +148,7 @@ def _springs(displacement: Displacement) -> RootPanels:
 def _panels(load: CarriedLoad) -> RootPanels:
     """Return the integral over rho w and its derivative by x."""
     a, kinks = load.radius, np.array([b for b, _ in load.displacement.kinks if b < load.radius])
-    near_edge = a - _steps(load.response, a)
+    near_edge = a - kernel_steps(load.response, a)
     edges = np.unique(np.concatenate([[0.0, a], doubled(list(kinks), a), near_edge[near_edge > 0.0]]))
     scale = _size(load)
 
@@ -228,7 +228,7 @@ def settled_sums(
 
 def _rho_sums(load: CarriedLoad, x: Array, kinks: Array, count: int) -> Array:
     a, response, springs = load.radius, load.response, _springs(load.displacement)
-    steps, fixed = _steps(response, a), doubled(list(kinks), a)
+    steps, fixed = kernel_steps(response, a), doubled(list(kinks), a)
     result = np.empty((2, x.size))
     for rows in chunks(x.size, count * (steps.size + fixed.size + 5), PAIRS_AT_ONCE):
         part = x[rows]
@@ -246,7 +246,7 @@ def spread(load: CarriedLoad, octave: int, order: int = 0) -> RootPanels:
     """Return K phi, or its slope (order 1), from the axis to 2^octave contact radii."""
     a = load.radius
     end = a * 2.0**octave
-    steps = _steps(load.response, end)
+    steps = kernel_steps(load.response, end)
     edges = np.concatenate([[0.0, a, end], a - steps, a + steps])
     edges = np.unique(edges[(edges >= 0.0) & (edges <= end)])
     kernel = transform(load.response, end + a)

@@ -217,7 +217,7 @@ def _through_cells(
                 decay = np.zeros((4, 4, xi.size), dtype=xi.dtype)
                 decay[:, :, :end] = fall
             else:
-                decay[:, rows, :end] = times(tuple(decay[:, rows, :end]), tuple(fall))  # type: ignore[arg-type]
+                decay[:, rows, :end] = times(tuple(decay[:, rows, :end]), tuple(fall))
         if decay is not None:
             stored.append(np.concatenate([y, decay])[:, :, back])
     return y[:, :, back], stored[::-1]

@@ -92,10 +92,8 @@ class RelaxingInProportion(RelaxingLayers):
         """The elastic medium with the given moduli."""
         return self.medium
 
-    @property
-    def bodies(self) -> ElasticMedium:
-        """The medium that contains the solids."""
-        return self.medium
+    bodies = elastic
+    """The medium that contains the solids."""
 
     @property
     def thickness(self) -> float:

@@ -9,7 +9,7 @@ reference.
 
 from __future__ import annotations
 
-from typing import Any, ClassVar
+from typing import Any, ClassVar, cast
 
 import numpy as np
 
@@ -223,7 +223,7 @@ class PowerLawLineSolution(LineSolution[Q]):
     @property
     def depth(self) -> Q:
         """How far the bodies approach, counted from places far away [m], where the modulus grows with the depth."""
-        bed: PowerLawLineFoundation = self.problem.bed
+        bed = cast(PowerLawLineFoundation, self.problem.bed)
         force, a = np.ravel(self.force_per_length), np.ravel(self.half_width)
         loads = np.array([rim_load(bed, float(p), float(width)) for p, width in zip(force, a, strict=True)])
         return shaped(bed.depth(a, loads), np.shape(self.half_width))
@@ -246,6 +246,6 @@ class PowerLawLineSolution(LineSolution[Q]):
                 "How far points inside a GradedHalfSpace move is not known to winkler; leave both out: the approach is "
                 "counted from places far away."
             )
-        bed: PowerLawLineFoundation = self.problem.bed
+        bed = cast(PowerLawLineFoundation, self.problem.bed)
         a, edge_load = self._strip("approach")
         return float(bed.depth(np.array(a), np.array(edge_load)))

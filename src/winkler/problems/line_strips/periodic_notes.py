@@ -63,7 +63,8 @@ def periodic_notes(bed: PeriodicBed, one: LineFoundation | LayeredLineFoundation
     """
     a, extra = strip
     layered = isinstance(one, LayeredLineFoundation)
-    standing, bodies = one.layered_body.in_plane if layered else (Standing.EXACT, HALF_PLANES)
+    exact = Standing.EXACT, HALF_PLANES
+    standing, bodies = one.layered_body.in_plane if isinstance(one, LayeredLineFoundation) else exact
     repeated = "Equal strips repeat at the pitch without end. Far below the surface they act like a uniform pressure."
     response = Note(Assumption.RESPONSE, standing, f"{bodies}. {repeated}", WAVES if layered else WESTERGAARD)
     if a == 0.0:
