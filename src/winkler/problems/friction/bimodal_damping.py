@@ -233,8 +233,9 @@ class BimodalDamping(PerLoad[Q]):
         any_cycle = cycles[0] if cycles else cycle(0.0, 0.0)
         numbers = np.reshape([(each.loss, each.friction, each.bulk) for each in cycles], (len(pairs), 3))
         columns: list[Q] = [shaped(each, shape) for each in numbers.T]
+        whole, rubbed, inside = columns
         change = max((each.change for each in cycles), default=0.0)
-        return BimodalDampingSolution(self, any_cycle.contact, change, *columns, any_cycle.pressing)
+        return BimodalDampingSolution(self, any_cycle.contact, change, whole, rubbed, inside, any_cycle.pressing)
 
     def path(self, phase: float, shift_amplitude: float, cycles: int = 2, count: int = 200) -> Path:
         """Return the motion as a path of straight pieces, for `Tangential`; its time counts closed cycles.

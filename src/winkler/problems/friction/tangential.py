@@ -225,10 +225,10 @@ class Tangential:
         row = SlipRow(slipping_springs(self.bed), self.law.coefficient, ratio, self.path, moved)
         pressed = (np.asarray(quantity).tolist() for quantity in (contact.depth, contact.force, contact.radius))
         points = zip(self.path.time.tolist(), *pressed, strict=True)
-        for normal, (state, work, lost) in zip(points, follow(row, row.goals), strict=True):
+        for (time, depth, force, radius), (state, work, lost) in zip(points, follow(row, row.goals), strict=True):
             memory = row.memory(state)
             along = state.shift, row.shear_force(memory), work, row.stored(memory), lost
-            yield TangentialState(*normal, *along, self.bed, self.law, ratio, memory)
+            yield TangentialState(time, depth, force, radius, *along, self.bed, self.law, ratio, memory)
 
     def gathered(self, states: Iterable[State]) -> TangentialSolution:
         """Return the solution made of these states, of the whole path or of its first part."""

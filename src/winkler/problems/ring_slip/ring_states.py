@@ -91,7 +91,7 @@ class TwistedSprings:
     @property
     def bound(self) -> TwistBound:
         """What they bear at most."""
-        return self.bound_of(self.bed, self.coefficient, self.widest, self.forced)
+        return type(self).bound_of(self.bed, self.coefficient, self.widest, self.forced)
 
     def value(self, x: Array) -> Array:
         """h(x) [Pa] for 0 < x <= a."""

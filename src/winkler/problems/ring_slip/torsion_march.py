@@ -7,13 +7,13 @@ angle is sought that it needs at the end of the line.  Paths are followed by `wi
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 import numpy as np
 
 from winkler.foundation.torsion_bound import PressedState, TwistBound
-from winkler.problems.ring_slip.torsion_memory import TwistAhead, TwistMove, slid_along, stuck_work
+from winkler.numerics.equations.driven import driven
+from winkler.problems.ring_slip.torsion_memory import TwistAhead, TwistCut, TwistMove, slid_along, stuck_work
 from winkler.problems.ring_slip.torsion_pieces import TwistMemory
 from winkler.values.errors import NotConverged, OutsideValidity
 
@@ -39,8 +39,6 @@ TORQUE_MARGIN = 1e-12
 """Part of the greatest torque that stays unreachable."""
 TORQUE_TOLERANCE = 1e-12
 """Part of the greatest torque by which a prescribed one may be missed."""
-MOST_TRIALS = 200
-"""At most so many angles are tried for a torque."""
 
 
 class TorsionStep(NamedTuple):
@@ -172,44 +170,15 @@ def step_to(
             f"a smaller {bound.load}, a greater load, or prescribe the {bound.motion.capitalize()}."
         )
     slack = TORQUE_TOLERANCE * (abs(torque) if bound.endless else limit)
-    twist, low, high = guess, -math.inf, math.inf
-    low_miss = high_miss = 0.0
-    before = math.inf
-    last: tuple[float, float, float] | None = None
-    springs = TwistAhead(bound, memory, press)
-    for tried in range(MOST_TRIALS):
+    springs, cuts = TwistAhead(bound, memory, press), list[TwistCut]()
+
+    def borne(twist: float) -> tuple[float, float]:
+        nonlocal cuts
         cuts = springs.cuts(twist)
-        miss = springs.load(cuts, twist) - torque
-        if abs(miss) <= slack or (low < high and math.nextafter(low, high) >= high):
-            return trapezoid(bound, memory, press, twist, springs.moved(cuts, twist))
-        if miss < 0.0:
-            low, low_miss = twist, miss
-        else:
-            high, high_miss = twist, miss
         free = springs.free(cuts)
-        stiffness = free if free > 0.0 else bound.inertia(press.radius)
-        ahead = _root((twist, miss, stiffness), last)
-        last = twist, miss, stiffness
-        settles, before = abs(miss) <= 0.5 * before, abs(miss)
-        if math.isfinite(low) and math.isfinite(high) and not (low < ahead < high and settles):
-            share = -low_miss / (high_miss - low_miss) if tried % 2 else 0.5
-            ahead = low + (high - low) * min(max(share, 0.01), 0.99)
-        if ahead == twist:
-            return trapezoid(bound, memory, press, twist, springs.moved(cuts, twist))
-        twist = ahead
-    raise NotConverged(
-        f"{bound.owner}: the {bound.motion} under {torque:.6g} {bound.unit} was not found in {MOST_TRIALS} tries."
-    )
+        return springs.load(cuts, twist), free if free > 0.0 else bound.inertia(press.radius)
 
-
-def _root(here: tuple[float, float, float], before: tuple[float, float, float] | None) -> float:
-    """Return where a load is met, from motion, miss and stiffness of the last two tries."""
-    twist, miss, stiffness = here
-    newton = twist - miss / stiffness
-    if before is None or miss == before[1]:
-        return newton
-    # the motion as a cubic of the miss, which has both values and both slopes
-    change, part = miss - before[1], -before[1] / (miss - before[1])
-    slopes = (1.0 - part) / before[2] - part / stiffness
-    cubic = before[0] + part * (part * (3.0 - 2.0 * part) * (twist - before[0]) + (1.0 - part) * change * slopes)
-    return cubic if abs(cubic - newton) < 0.5 * abs(newton - twist) else newton
+    twist = driven(borne, torque, guess, slack)
+    if twist is None:
+        raise NotConverged(f"{bound.owner}: the {bound.motion} under {torque:.6g} {bound.unit} was not found.")
+    return trapezoid(bound, memory, press, twist, springs.moved(cuts, twist))

@@ -15,6 +15,7 @@ import numpy as np
 from winkler.materials.elastic import Elastic
 from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
+from winkler.numerics.equations.driven import driven
 from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries, of_creep, of_relaxation
 from winkler.numerics.springs.free_relaxation import Recovery
 from winkler.numerics.springs.relaxing_friction import drag
@@ -26,7 +27,6 @@ from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["DragGoal", "DraggedRow", "DraggedSprings", "ErrorScales", "shear_relaxation", "twist_relaxation"]
 
-MOST_TRIALS = 200
 BOUND_ROUNDING = 1e-9
 """Part of the greatest bound that is rounding."""
 FORCE_TOLERANCE = 1e-12
@@ -306,24 +306,15 @@ class DraggedRow(Row[DragGoal, DraggedSprings]):
                 f"{'spin' if cells.motion == 'Angle' else 'slide away'}; press them harder, or give "
                 f"{'an' if cells.motion == 'Angle' else 'a'} {cells.motion}."
             )
-        low, high, moved, stride = -math.inf, math.inf, state.slide * dt, 0.0
-        for turn in range(MOST_TRIALS):
-            _, sums = self._dragged(state, bounds, share, dt, moved)
-            short = prescribed - float(sums[0])
-            if abs(short) <= close:
-                return moved
-            low, high = (moved, high) if short > 0.0 else (low, moved)
-            newton = moved + short / sums[4] if sums[4] > 0.0 else math.copysign(math.inf, short)
-            if low < newton < high and turn % 4 != 3:
-                moved = float(newton)
-            elif math.isfinite(low) and math.isfinite(high):
-                middle = 0.5 * (low + high)
-                if not low < middle < high:
-                    return middle
-                moved = middle
-            else:
-                stride = max(2.0 * stride, abs(moved), float(np.max(np.abs(state.displaced))), 1e-4 * self.scales.shift)
-                moved += math.copysign(stride, short)
+        stuck = self.scales.shear_force / self.scales.shift
+
+        def borne(moved: float) -> tuple[float, float]:
+            sums = self._dragged(state, bounds, share, dt, moved)[1]
+            return float(sums[0]), float(sums[4]) if sums[4] > 0.0 else stuck
+
+        moved = driven(borne, prescribed, state.slide * dt, close)
+        if moved is not None:
+            return moved
         raise NotConverged(
             f"the springs find no {cells.motion.lower()} at which they bear a {cells.load} of {prescribed:.6g} "
             f"{cells.unit}."
