@@ -224,6 +224,7 @@ from winkler.problems.pressed_maps.flow_factors import FlowFactors, flow_factors
 from winkler.problems.pressed_maps.seal import Seal, SealSolution
 from winkler.problems.pressed_maps.thermal_joint import ThermalJoint, ThermalJointSolution
 from winkler.problems.pressed_maps.true_area import TrueArea, TrueAreaSolution
+from winkler.problems.pressed_shape.surface_load import SurfaceLoad
 from winkler.problems.profile_pair.pair_rolling import ProfilePairRolling, ProfilePairRollingSolution
 from winkler.problems.profile_pair.patch import ProfilePatch
 from winkler.problems.profile_pair.profile_pair import ProfilePair, ProfilePairSolution
@@ -248,7 +249,6 @@ from winkler.problems.rough.surface_conduction import SurfaceConduction, Surface
 from winkler.problems.rough.surface_contact import SurfaceContact, SurfaceContactSolution
 from winkler.problems.subsurface.contact_stress import ContactStress, ContactStressSolution
 from winkler.problems.subsurface.map_stress import MapStress, MapStressSolution
-from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.problems.surface_adhesion.adhesion import SurfaceAdhesion, SurfaceAdhesionSolution
 from winkler.problems.surface_current.constriction import SurfaceConstriction, SurfaceConstrictionSolution
 from winkler.problems.surface_friction.joint import JointStiffness, JointStiffnessSolution

@@ -52,7 +52,7 @@ WITHOUT = {
 }
 UNKNOWN = {
     "conductance_bounds", "creep_test", "harmonic_indentation", "line_rolling_resistance",
-    "line_viscoelastic_indentation", "nearly_round_indentation", "reduction", "relaxation_test", "sliding_resistance",
+    "line_viscoelastic_indentation", "reduction", "relaxation_test", "sliding_resistance",
     "surface_adhesion", "surface_wear", "viscoelastic_adhesion", "viscoelastic_impact", "viscoelastic_indentation",
 }  # fmt: skip
 """Whose stresses are not computed: they state it, whatever the strength is."""

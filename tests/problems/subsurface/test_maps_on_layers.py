@@ -12,8 +12,8 @@ from problems.layer_waves import base, crossed
 from winkler.media.interior.map_field import MapField
 from winkler.media.interior.periodic_map_field import PeriodicMapField
 from winkler.media.layered.map_interior import MapInLayers
+from winkler.problems.normal.map_yield import greatest_in_parts
 from winkler.problems.normal.strong_parts import solid_parts
-from winkler.problems.subsurface.below_surface import greatest_in_parts
 
 BASE = wk.Elastic(1.0, 0.3, strength=0.02)
 RADIUS, FORCE = 1.0, 2e-3
@@ -44,10 +44,17 @@ def test_equal_layers_have_the_field_of_the_half_space(thickness, periodic):
     layers = wk.CoatedHalfSpace([wk.Layer(BASE, thickness)], on=BASE)
     inside = MapInLayers(layers, loads, pixel, periodic=periodic)
     field = (PeriodicMapField if periodic else MapField)(loads, pixel, 0.3)
+    size, unit = field.at_depth(0.06), 0.5 / BASE.shear
+    places = np.random.default_rng(1).random((7, 3)) * [0.48, 0.54, 0.0]
     for z in (0.0, 0.7 * thickness, 1.0001 * thickness + 0.06, 2.0 * thickness + 0.1):
-        expected = field.at_depth(z)[:6]
+        found, expected = inside.at_depth(z), field.at_depth(z)
         # waves are those of smooth pressures, pixels are even: they differ as the square of a pixel over the depth
-        assert inside.at_depth(z) == pytest.approx(expected, abs=4e-3 * np.max(np.abs(field.at_depth(0.06)[:6])))
+        assert found[:6] == pytest.approx(expected[:6], abs=4e-3 * np.max(np.abs(size[:6])))
+        assert found[6:] == pytest.approx(unit * expected[6:], abs=4e-3 * unit * np.max(np.abs(size[6:])))
+        places[:, 2] = z
+        between, exact = inside.at_places(places), field.at_places(places)
+        assert between[:6] == pytest.approx(exact[:6], abs=4e-3 * np.max(np.abs(size[:6])))
+        assert between[6:] == pytest.approx(unit * exact[6:], abs=4e-3 * unit * np.max(np.abs(size[6:])))
 
 
 @pytest.mark.parametrize("contrast", [0.1, pytest.param(10.0, marks=pytest.mark.slow)])
@@ -71,6 +78,8 @@ def test_a_dragged_ball_on_a_coating_by_hankel_integrals(contrast):
         for depth in (0.5, 1.2):
             z = np.full(x.shape, depth * ratio * a + 0.2 * a)
             found = inside.at_depth(float(z[0]))[:, i, j]
+            moved = found[6:] / float(pressed.depth)
+            found = found[:6]
             pushed = medium.dragged_interior(pressed, x, y, z, below=True)
             at = wk.restore_body(
                 wk.Indentation(wk.Foundation(wk.Paraboloid(RADIUS), medium), wk.Force(FORCE)).solve(), x, y, z
@@ -78,6 +87,8 @@ def test_a_dragged_ball_on_a_coating_by_hankel_integrals(contrast):
             expected = np.stack([getattr(at, f"{part}_stress") for part in ("xx", "yy", "zz", "xy", "xz", "yz")])
             expected = expected + 0.4 * np.stack(pushed[:6])
             assert found == pytest.approx(expected, abs=5e-3 * float(np.max(pressure)))
+            shifts = np.stack([getattr(at, f"{part}_displacement") for part in "xyz"]) + 0.4 * np.stack(pushed[6:])
+            assert moved == pytest.approx(shifts / float(pressed.depth), abs=2e-3)
 
 
 @pytest.mark.parametrize("contrast", [0.1, 10.0])
@@ -164,3 +175,42 @@ def test_the_load_of_yield_on_a_coating_is_that_of_the_round_engine():
     onset = wk.YieldOnset(wk.Foundation(wk.Paraboloid(RADIUS), medium)).solve()
     contact = wk.SurfaceContact(ball(96, 5.0 * float(onset.radius)), medium, wk.Force(0.8 * float(onset.force))).solve()
     assert contact.yield_force() == pytest.approx(float(onset.force), rel=0.03)
+
+
+@pytest.mark.parametrize("contrast", [0.1, pytest.param(10.0, marks=pytest.mark.slow)])
+def test_stresses_at_places_below_a_map_on_a_coating_are_those_of_the_round_engine(contrast):
+    """Stresses over the greatest pressure and displacements over the depth: in the layer, the base and the ball."""
+    a = float(
+        wk.Indentation(wk.Foundation(wk.Paraboloid(RADIUS), coated(contrast, 0.05)), wk.Force(FORCE)).solve().radius
+    )
+    medium, side = coated(contrast, 0.6 * a, second=wk.Elastic(3.0, 0.2)), 5.0 * a
+    round_one = wk.Indentation(wk.Foundation(wk.Paraboloid(RADIUS), medium), wk.Force(FORCE)).solve()
+    contact = wk.SurfaceContact(ball(96, side), medium, wk.Force(FORCE)).solve()
+    x, y = np.random.default_rng(3).uniform(-0.9 * a, 0.9 * a, (2, 6))
+    for z in (0.2 * a, 0.9 * a, -0.4 * a):
+        found = contact.stresses(x + 0.5 * side, y + 0.5 * side, np.full(6, z))
+        known = wk.restore_body(round_one, x, y, np.full(6, z))
+        for part in ("xx", "yy", "zz", "xy", "xz", "yz"):
+            expected = getattr(known, f"{part}_stress")
+            assert getattr(found, f"{part}_stress") == pytest.approx(expected, abs=1e-3 * round_one.peak_pressure)
+        for part in "xyz":
+            expected = getattr(known, f"{part}_displacement")
+            assert getattr(found, f"{part}_displacement") == pytest.approx(expected, abs=1e-3 * round_one.depth)
+
+
+def test_planes_and_depths_in_layers_have_the_fields_of_their_places():
+    medium, side, depths = coated(4.0, 0.1), 0.6, np.array([0.05, 0.2])
+    contact = wk.SurfaceContact(ball(24, side, 2.0), medium, wk.Force(FORCE)).solve()
+    at_y, at_x = contact.stresses_on_plane(depths, y=0.31), contact.stresses_on_plane(depths, x=0.31)
+    places = contact.surface_load.places[0]
+    known = contact.stresses(places[:, None], np.full((24, 2), 0.31), np.broadcast_to(depths, (24, 2)))
+    assert at_y.xz_stress == pytest.approx(known.xz_stress, abs=1e-12)
+    assert at_y.z_displacement == pytest.approx(known.z_displacement, abs=1e-12)
+    known = contact.stresses(np.full((24, 2), 0.31), places[:, None], np.broadcast_to(depths, (24, 2)))
+    assert at_x.yz_stress == pytest.approx(known.yz_stress, abs=1e-12)
+    assert at_x.xy_stress == pytest.approx(known.xy_stress, abs=1e-12)
+    flat = contact.stresses_at_depth(0.2)
+    below = contact.stresses(flat.x, flat.y, flat.z)
+    assert flat.von_mises == pytest.approx(below.von_mises, rel=1e-9)
+    with pytest.raises(wk.OutsideValidity, match="beside the map of pressures"):
+        contact.stresses(side + 0.1, 0.0, 0.05)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.problems.subsurface.map_yield import greatest_share
+from winkler.problems.normal.map_yield import greatest_share
 
 STRENGTH = 1.5e9
 STEEL = wk.Elastic(210e9, 0.3, strength=STRENGTH)

@@ -13,7 +13,7 @@ from winkler.io.tables.header import names_columns
 from winkler.io.tables.table import Column, Table, read_table
 from winkler.io.text_file import existing
 from winkler.numerics.types import Array
-from winkler.problems.subsurface.surface_load import SurfaceLoad
+from winkler.problems.pressed_shape.surface_load import SurfaceLoad
 from winkler.values.errors import InvalidInput
 from winkler.values.limits import MOST_NUMBERS
 

@@ -12,7 +12,8 @@ from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import sliding_note
 from winkler.problems.assumptions.temperature import temperature_note
 from winkler.problems.heating.heat_source import HeatedContact
-from winkler.problems.normal.elliptic import IN_LAYERS
+from winkler.problems.normal.elliptic import pressed_yield_notes
+from winkler.problems.normal.elliptic_fields import traction_of
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
@@ -75,7 +76,10 @@ def sliding_contact_notes(contact: HeatedContact, coefficient: float, angle: flo
     if isinstance(layered, HomogeneousMedium):
         yields = ellipse_yield_notes(layered, axes, contact.force, coefficient, angle)
     else:
-        yields = (*unknown_yield(layered, IN_LAYERS), BY_PIXELS)
+        rubbed = unknown_yield(layered, "the contact slides along several lines")
+        if angle is not None:
+            rubbed = pressed_yield_notes(contact, traction_of(coefficient, angle))
+        yields = (*rubbed, BY_PIXELS)
     elastic = (note for note in contact.validity if note.assumption is not Assumption.ELASTIC)
     return (*elastic, *yields, sliding_note(layered, coefficient))  # type: ignore[arg-type]
 

@@ -34,7 +34,8 @@ from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal import elliptic_fields as inside
 from winkler.problems.normal.elliptic_fields import EllipticFields
 from winkler.problems.normal.indentation import Indentation
-from winkler.problems.normal.unknown_yield import unknown_yield
+from winkler.problems.normal.map_yield import map_yield_notes
+from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.validity import steepness_note
 from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
 from winkler.problems.one_load import picked, single
@@ -50,7 +51,7 @@ from winkler.values.errors import NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["EDGE_ERROR", "IN_LAYERS", "EllipticIndentation", "EllipticSolution", "pressed_ellipse"]
+__all__ = ["EDGE_ERROR", "EllipticIndentation", "EllipticSolution", "pressed_ellipse", "pressed_yield_notes"]
 
 ELLIPSE = Note(
     Assumption.RESPONSE,
@@ -60,7 +61,6 @@ ELLIPSE = Note(
     "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 4.2, doi:10.1017/CBO9781139171731",
 )
 OF_THE_DISTANCE = "This is the slope of the gap between the bodies. Give a CurvedPair for the slopes of each body."
-IN_LAYERS = "this problem computes no stresses in layers; ContactStress and EllipticYieldOnset do"
 AXES = (0.0, 0.5 * math.pi)
 """Directions of the semi-axes [rad]."""
 EDGE_ERROR = ("", "", "relative error of area, stiffness and edge of the contact that pixels leave")
@@ -392,7 +392,7 @@ class EllipticSolution(PerLoad[Q]):
         medium, slopes = self.problem.medium, _slopes_note(self.problem.bodies, axes)
         if not isinstance(medium, HomogeneousMedium):
             errors = float(np.max(self.grid_error)), float(np.max(self.edge_error))
-            return (*pixel_notes(medium, *errors), slopes, *unknown_yield(medium, IN_LAYERS))
+            return (*pixel_notes(medium, *errors), slopes, *pressed_yield_notes(self))
         return (
             *(note for note in medium.notes if note.standing is not Standing.EXACT),  # of a round contact
             ELLIPSE,
@@ -417,3 +417,21 @@ def _slopes_note(bodies: CurvedBodies | CurvedPair, axes: tuple[float, float]) -
         "narrower by about a quarter of the square of this slope. Give a CurvedPair for the slopes of each body.",
         CONFORMING,
     )
+
+
+def pressed_yield_notes(contact: EllipticSolution[Q], traction: tuple[float, float] = (0.0, 0.0)) -> tuple[Note, ...]:
+    """Return whether bodies pressed by pixels stay elastic under the greatest load.
+
+    Parameters
+    ----------
+    contact : EllipticSolution
+        On layers, gradings or power laws.
+    traction : tuple of float, optional
+        Along x and y over the pressure [-], of a contact that slides.
+    """
+    problem, force = contact.problem, float(np.max(contact.force))
+    if not strong_parts(problem.medium) or force == 0.0:
+        return ()
+    load = Force(force) if isinstance(problem.load, Force) else Depth(float(np.max(contact.depth)))
+    pressed = pressed_ellipse(problem.bodies.together, problem.medium, load)[1]
+    return map_yield_notes(problem.medium, pressed.load(traction))

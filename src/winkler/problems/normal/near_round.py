@@ -19,21 +19,26 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
+from winkler.foundation.bed import PressedSprings
 from winkler.foundation.foundation import Foundation
 from winkler.loading.loads import Depth, Force
 from winkler.loading.path import numbers_of
-from winkler.media.halfspace import HomogeneousMedium
+from winkler.materials.elastic import Elastic
+from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.media.mapped import MappedMedium
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.equations.roots import invert, rough_root
 from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.normal.elliptic import EDGE_ERROR
+from winkler.problems.normal.greatest_stress import sharp_places
+from winkler.problems.normal.map_yield import map_yield_notes
 from winkler.problems.normal.solve_contact import at_depth
+from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.normal.validity import steepness_note
 from winkler.problems.pressed_shape.notes import pixel_notes
-from winkler.problems.pressed_shape.pressed_map import edge_error, grid_error, pressed_levels
+from winkler.problems.pressed_shape.pressed_map import PressedMap, edge_error, grid_error, pressed_levels
 from winkler.problems.pressed_shape.rounded_body import RoundedBody
 from winkler.profiles.profile import Profile
 from winkler.values.checks.field_checks import Condition
@@ -152,8 +157,7 @@ DepthGradedHalfSpace or GradedHalfSpace
         rows, contours = np.empty((5, loads.size)), np.empty((loads.size, len(self.profiles)))
         for number, load in enumerate(loads.ravel().tolist()):
             given = Force(load) if by_force else Depth(load)
-            start, limit = (body.start(given, self.medium.modulus),) * 2, (body.reach,) * 2
-            coarse, fine = pressed_levels("NearlyRoundIndentation", body.gap, self.medium, given, start, limits=limit)
+            coarse, fine = pressed_body(body, self.medium, given)
             contours[number] = fine.contour(body.angles)
             body.refuse_beyond(contours[number], fine)
             errors = grid_error(coarse, fine), edge_error(coarse, fine, body.angles)
@@ -200,7 +204,7 @@ class NearlyRoundSolution(PerLoad[Q]):
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         medium = self.problem.medium
-        yielding = unknown_yield(medium, "the stresses under a contact that is not round are not computed")
+        yielding = self._yield_notes()
         if not isinstance(medium, HomogeneousMedium):
             errors = float(np.max(self.grid_error)), float(np.max(self.edge_error))
             return (*pixel_notes(medium, *errors), BETWEEN_DIRECTIONS, steepness_note(self._slope), *yielding)
@@ -223,6 +227,18 @@ class NearlyRoundSolution(PerLoad[Q]):
         )
         return (*medium.notes, steepness_note(self._slope), note, *yielding)
 
+    def _yield_notes(self) -> tuple[Note, ...]:
+        """Return whether the bodies stay elastic under the greatest load, by pixels."""
+        medium, body = self.problem.medium, RoundedBody(self.problem.profiles)
+        if not strong_parts(medium):
+            return ()
+        contour = np.max(self.contour.reshape(-1, len(self.problem.profiles)), axis=0)
+        if any(_is_sharp(profile, radius) for profile, radius in zip(self.problem.profiles, contour, strict=True)):
+            return unknown_yield(medium, "the elastic stress is infinite at a sharp tip, kink or rim")
+        force, depth = float(np.max(self.force)), float(np.max(self.depth))
+        load = Force(force) if isinstance(self.problem.load, Force) else Depth(depth)
+        return map_yield_notes(medium, pressed_body(body, medium, load)[1].load())
+
     @property
     def _slope(self) -> float:
         """The steepest of the body within the contact [-]."""
@@ -233,10 +249,26 @@ class NearlyRoundSolution(PerLoad[Q]):
         return slope
 
 
+def pressed_body(body: RoundedBody, medium: MappedMedium, load: Force | Depth) -> tuple[PressedMap, PressedMap]:
+    """Return a body pressed by pixels under one load, on a coarse grid and on a fine one."""
+    start, limit = (body.start(load, medium.modulus),) * 2, (body.reach,) * 2
+    return pressed_levels("NearlyRoundIndentation", body.gap, medium, load, start, limits=limit)
+
+
+def _is_sharp(profile: Profile, radius: float) -> bool:
+    """Return whether stresses are infinite below a profile that touches up to a radius [m]."""
+    bed = Foundation(profile, HalfSpace(Elastic(1.0, 0.0)))
+    a = min(radius, bed.reach * (1.0 - END_MARGIN))
+    pressed = PressedSprings(bed, float(bed.gap(np.array([a]))[0]), a)
+    return radius >= (1.0 - RIM) * bed.rim or any(sharp_places(pressed, 0.0, 0.0))
+
+
 MOST_ITERATIONS = 60
 FORCE_TOLERANCE = 1e-13
 DOUBLINGS = 60
 END_MARGIN = 1e-12
+RIM = 0.02
+"""Distance from a rim within which a contour of pixels counts as on it, over its radius."""
 LEAST_RATIO = 1e-9
 """Over the radius where g(a) = d, where a contour is no longer sought."""
 

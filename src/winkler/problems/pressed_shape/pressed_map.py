@@ -24,6 +24,7 @@ from winkler.numerics.surfaces.pressed_box import ByDepth, ByLoad
 from winkler.numerics.surfaces.pressed_grid import press
 from winkler.numerics.surfaces.punched_grid import punch
 from winkler.numerics.types import Array, ArrayLike
+from winkler.problems.pressed_shape.surface_load import SurfaceLoad
 from winkler.values.errors import NotConverged, OutsideValidity
 
 __all__ = ["PIXELS", "Gap", "PressedMap", "edge_error", "grid_error", "pressed_levels"]
@@ -96,6 +97,12 @@ class PressedMap(NamedTuple):
         rows = np.stack([np.ravel(x - self.x[0]) / self.pixel[0], np.ravel(y - self.y[0]) / self.pixel[1]])
         raised = map_coordinates(self.pressure**self.edge_power, rows, order=1, mode="constant")
         return np.asarray((np.maximum(raised, 0.0) ** (1.0 / self.edge_power)).reshape(np.shape(x)))
+
+    def load(self, traction: tuple[float, float] = (0.0, 0.0)) -> SurfaceLoad:
+        """Return what acts on the first body, dragged along x and y by these parts of the pressure."""
+        parts = [each * self.pressure for each in traction]
+        sides, pixel = np.array(self.pixel) * self.pressure.shape, np.array(self.pixel)
+        return SurfaceLoad(self.pressure, sides, *parts, np.array([self.x[0], self.y[0]]) - 0.5 * pixel)
 
     def contour(self, angles: ArrayLike) -> Array:
         """Return how far the contact reaches from the origin [m] along directions at angles to x [rad].

@@ -8,11 +8,11 @@ import numpy as np
 
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.mapped import MappedMedium, layers_of
+from winkler.problems.normal.map_yield import greatest_share, map_yield_notes
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.pressed_shape.notes import PIXELS_ON_LAYERS, graded_notes
+from winkler.problems.pressed_shape.surface_load import SurfaceLoad
 from winkler.problems.profile_pair.patch import ProfilePatch
-from winkler.problems.subsurface.map_yield import greatest_share, map_yield_notes
-from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.values.validity import Assumption, Note, Standing, standing_of
 
 __all__ = ["pair_notes", "placed_notes", "yield_of_patches"]

@@ -9,12 +9,12 @@ import numpy as np
 from winkler.media.mapped import MappedMedium
 from winkler.numerics.pixels.contact_area import contact_area
 from winkler.numerics.types import Array
+from winkler.problems.pressed_shape.surface_load import SurfaceLoad
 from winkler.problems.profile_pair.creepages import creepage_at
 from winkler.problems.profile_pair.placing import PlacedBody
 from winkler.problems.profile_pair.pressing import Region
 from winkler.problems.rolling.creepage import Creepage
 from winkler.problems.subsurface.below_surface import BelowSurface
-from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.values.value import value, words
 
 __all__ = ["ProfilePatch", "patches_of"]

@@ -21,6 +21,7 @@ from winkler.media.mapped import MappedMedium
 from winkler.numerics.surfaces.pressed_box import box_around
 from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
+from winkler.problems.pressed_shape.surface_load import SurfaceLoad
 from winkler.problems.profile_pair.creepages import Drift, creepages_along
 from winkler.problems.profile_pair.gap_map import GapMap
 from winkler.problems.profile_pair.patch import ProfilePatch
@@ -29,7 +30,6 @@ from winkler.problems.profile_pair.pressed_pair import PlacedPair
 from winkler.problems.rolling.creepage import Creepage
 from winkler.problems.rough.compliance import compliance_of
 from winkler.problems.subsurface.below_surface import BelowSurface
-from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.problems.surface_rolling.creepages import AHEAD
 from winkler.problems.surface_rolling.falling import roll_under
 from winkler.values.errors import NotConverged, OutsideValidity

@@ -29,10 +29,12 @@ from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.line.layered_stress import greatest_in_part
 from winkler.problems.line.stress import Strip
 from winkler.problems.line.yield_statement import nearest_to_strength
+from winkler.problems.normal.map_yield import map_yield_notes
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.unknown_yield import MISES, unknown_yield
 from winkler.problems.normal.validity import large_body_note, steepness_note
 from winkler.problems.pressed_shape.notes import PIXELS_ON_LAYERS, graded_notes
+from winkler.problems.pressed_shape.surface_load import SurfaceLoad
 from winkler.problems.rollers.roller_state import RollerNumbers, RollerState
 from winkler.profiles.power import Paraboloid
 from winkler.profiles.roller_ends import RollerEnds
@@ -278,7 +280,7 @@ class RollerSolution(RollerNumbers[Q]):
         bears = last.force_per_length > 0.0
         rise = np.diff(stated.ends.drop(last.edges, 0.5 * stated.length, stated.medium.modulus))
         along = np.abs(rise / np.diff(last.edges))[bears]
-        return roller_notes(
+        notes = roller_notes(
             stated.medium,
             stated.radius,
             (peak, middle),
@@ -286,6 +288,9 @@ class RollerSolution(RollerNumbers[Q]):
             max(float(np.max(along[np.isfinite(along)], initial=0.0)), float(np.max(np.abs(self.tilt)))),
             float(np.max(self.grid_error)),
         )
+        if not isinstance(stated.medium, HomogeneousMedium):
+            return (*notes, *_yields_on_layers(stated.medium, last, growth))
+        return (*notes, *_yield_notes(stated.medium, stated.radius, peak, middle))
 
 
 HARTNETT = "M. J. Hartnett, J. Lubr. Technol. 101 (1979) 105-109, doi:10.1115/1.3453270"
@@ -304,6 +309,9 @@ EDGES_ON_LAYERS = Note(
     "that each half of the widest contact has an eighth as many across as there are along the roller.",
     "elements that bear",
 )
+LAST_LOAD = "pressures are stored of the last load, which is not the greatest"
+PIXELS_ALONG = 256
+"""Along the roller, on which pressures are averaged for stresses in layers."""
 FINE, COARSE = 0.02, 0.1
 """Change from half as many elements up to which results count as fine, and as coarse."""
 
@@ -373,13 +381,25 @@ def roller_notes(
                 JOHNSON,
             )
         )
-    return (*notes, *_yield_notes(medium, radius, *pressures))
+    return tuple(notes)
+
+
+def _yields_on_layers(medium: MappedMedium, last: RollerState, growth: float) -> tuple[Note, ...]:
+    """Return whether bodies stay elastic below the pressures of a roller, averaged over pixels of one length."""
+    if growth > 1.0 or math.isinf(last.peak_pressure):
+        return unknown_yield(medium, LAST_LOAD if growth > 1.0 else "the elastic stress is infinite at sharp ends")
+    edges = np.linspace(last.edges[0], last.edges[-1], PIXELS_ALONG + 1)
+    borne = np.cumsum(np.pad(last.pressure * np.diff(last.edges)[:, None], ((1, 0), (0, 0))), axis=0)
+    shares = np.stack([np.interp(edges, last.edges, column) for column in borne.T], axis=1)
+    width = (last.y[-1] - last.y[0]) * last.y.size / (last.y.size - 1)
+    length = float(last.edges[-1] - last.edges[0])
+    pressure = np.diff(shares, axis=0) * (PIXELS_ALONG / length)
+    corner = np.array([edges[0], -0.5 * width])
+    return map_yield_notes(medium, SurfaceLoad(pressure, np.array([length, width]), corner=corner))
 
 
 def _yield_notes(medium: MappedMedium, radius: float, peak: float, middle: float) -> tuple[Note, ...]:
     """Return whether the most loaded slice stays elastic, taken as an endless line contact of the same pressure."""
-    if not isinstance(medium, HomogeneousMedium):
-        return unknown_yield(medium, "the stresses below the roller are not computed in layers")
     parts = strong_parts(medium)
     sharp = math.isinf(peak)
     pressure = middle if sharp else peak

@@ -34,15 +34,15 @@ from winkler.numerics.surfaces.pressed_grid import press
 from winkler.numerics.surfaces.punched_grid import punch
 from winkler.numerics.types import Array, PerLoad, Q, Quantity, shaped
 from winkler.problems.assumptions.declared import MAPPED
+from winkler.problems.normal.map_yield import greatest_share, map_yield_notes
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.pressed_shape.force_at_yield import force_at_yield
+from winkler.problems.pressed_shape.surface_load import SurfaceLoad
 from winkler.problems.rough.map_memory import refuse_too_large, state_memory
 from winkler.problems.rough.mapped_medium import medium_notes
 from winkler.problems.rough.surface_notes import border_notes
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.problems.subsurface.below_surface import BelowSurface
-from winkler.problems.subsurface.map_yield import greatest_share, map_yield_notes
-from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.profiles.rough.topography import Topography
 from winkler.values.checks.number_checks import Advice, PositiveOrInfinite, affordable, between
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 import math
 
 import numpy as np
@@ -10,86 +9,61 @@ import numpy as np
 from winkler.foundation.sheared_fields import BodyFields
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HomogeneousMedium
-from winkler.media.interior.map_peak import greatest_below
 from winkler.media.interior.peak import StressSpot
+from winkler.media.interior.rectangle import STRESSES
 from winkler.media.offers import LayerStack, offers
-from winkler.numerics.caching import cached_by_value
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.normal.elliptic_fields import solid_below
-from winkler.problems.normal.strong_parts import StrongPart, solid_parts
-from winkler.problems.subsurface.surface_load import SurfaceLoad
+from winkler.problems.normal.map_yield import Body, field_below, greatest_in_parts, greatest_stress
+from winkler.problems.normal.strong_parts import solid_parts
+from winkler.problems.pressed_shape.surface_load import SurfaceLoad
 from winkler.problems.which_body import in_first_body
 from winkler.values.checks.place_checks import common_places, finite_places
 from winkler.values.errors import InvalidInput, OutsideValidity
 
-__all__ = ["BelowSurface", "fields_at", "fields_at_depth", "fields_on_plane", "greatest_in_parts", "greatest_stress"]
+__all__ = ["BelowSurface", "fields_at", "fields_at_depth", "fields_on_plane"]
+
+BESIDE = 1e-9
+"""Rounding of places at the border of a map, over its sides."""
 
 
-def fields_at(load: SurfaceLoad, solid: Elastic, places: tuple[Array, Array, Array]) -> BodyFields:
+def fields_at(load: SurfaceLoad, body: Body, places: tuple[Array, Array, Array]) -> BodyFields:
     """Return stresses and displacements at places x, y, z >= 0 [m] of one shape."""
     rows = np.stack([np.ravel(part) for part in places], axis=1) - np.append(load.corner, 0.0)
-    found = load.field(solid.poisson).at_places(rows)
-    return _scaled(places, found.reshape(-1, *places[0].shape), solid)
+    field, unit = field_below(load, body)
+    if not (isinstance(body, Elastic) or load.periodic):
+        sides = np.array(load.lengths)
+        if np.any((rows[:, :2] < -BESIDE * sides) | (rows[:, :2] > (1.0 + BESIDE) * sides)):
+            raise OutsideValidity(
+                "A place lies beside the map of pressures, outside of which stresses in layers are not summed; "
+                "request places below the map, or give a larger map."
+            )
+    return _scaled(places, field.at_places(rows).reshape(-1, *places[0].shape), unit)
 
 
-def fields_at_depth(load: SurfaceLoad, solid: Elastic, z: float) -> BodyFields:
+def fields_at_depth(load: SurfaceLoad, body: Body, z: float) -> BodyFields:
     """Return stresses and displacements below the middles of all pixels at a depth z >= 0 [m]."""
     x, y = np.meshgrid(*load.places, indexing="ij")
-    return _scaled((x, y, np.full(x.shape, z)), load.field(solid.poisson).at_depth(z), solid)
+    field, unit = field_below(load, body)
+    return _scaled((x, y, np.full(x.shape, z)), field.at_depth(z), unit)
 
 
-def fields_on_plane(load: SurfaceLoad, solid: Elastic, depths: Array, *, x: float, y: float) -> BodyFields:
+def fields_on_plane(load: SurfaceLoad, body: Body, depths: Array, *, x: float, y: float) -> BodyFields:
     """Return stresses and displacements on the plane at x or at y [m], the other of them not a number."""
-    field, across = load.field(solid.poisson), load.places[0]
     if math.isnan(y):
-        found = fields_on_plane(load.turned(), solid, depths, x=math.nan, y=x)
+        found = fields_on_plane(load.turned(), body, depths, x=math.nan, y=x)
         return BodyFields(
             found.y, found.x, found.z, found.yy_stress, found.xx_stress, found.zz_stress, found.xy_stress,
             found.yz_stress, found.xz_stress, found.y_displacement, found.x_displacement, found.z_displacement,
         )  # fmt: skip
+    field, unit = field_below(load, body)
     lines = np.stack([field.across(y - load.corner[1], float(z)) for z in depths], axis=-1)
-    along, deep = np.meshgrid(across, depths, indexing="ij")
-    return _scaled((along, np.full(along.shape, y), deep), lines, solid)
+    along, deep = np.meshgrid(load.places[0], depths, indexing="ij")
+    return _scaled((along, np.full(along.shape, y), deep), lines, unit)
 
 
-def _scaled(places: tuple[Array, Array, Array], found: Array, solid: Elastic) -> BodyFields:
-    return BodyFields(*places, *found[:6], *(0.5 / solid.shear * found[6:]))
-
-
-@functools.lru_cache(maxsize=16)
-def greatest_stress(load: SurfaceLoad, solid: Elastic) -> StressSpot:
-    """Return the greatest von Mises stress [Pa] in a half-space and its place [m], z >= 0."""
-    found = greatest_below(load.field(solid.poisson), climbed=not load.periodic)
-    return _placed(found.greatest[0], load)
-
-
-@cached_by_value(maxsize=8)  # what is said of yielding and the summary ask for the same
-def greatest_in_parts(load: SurfaceLoad, medium: object, parts: tuple[StrongPart, ...]) -> tuple[StressSpot, ...]:
-    """Return the greatest von Mises stress [Pa] in each part of the bodies and its place [m], z into its body.
-
-    Parameters
-    ----------
-    load : SurfaceLoad
-        What acts on the first body.
-    medium
-        Homogeneous bodies, layers, or a grading, whose parts these are.
-    parts : tuple of StrongPart
-    """
-    if not offers(medium, LayerStack):
-        return tuple(greatest_stress(load if part.first else load.reversed(), part.solid) for part in parts)
-    from winkler.media.layered.map_interior import MapInLayers  # loaded with layers
-
-    inside = MapInLayers(medium, load.loads, load.pixel, periodic=load.periodic)
-    return tuple(
-        _placed(greatest_below(inside, top=part.top, bottom=part.bottom).greatest[0], load)
-        if part.first
-        else greatest_stress(load.reversed(), part.solid)
-        for part in parts
-    )
-
-
-def _placed(spot: StressSpot, load: SurfaceLoad) -> StressSpot:
-    return spot._replace(x=spot.x + float(load.corner[0]), y=spot.y + float(load.corner[1]))
+def _scaled(places: tuple[Array, Array, Array], found: Array, unit: float) -> BodyFields:
+    return BodyFields(*places, *found[:STRESSES], *(unit * found[STRESSES:]))
 
 
 class BelowSurface:
@@ -104,12 +78,15 @@ class BelowSurface:
     def _medium(self) -> object:
         raise NotImplementedError
 
-    def _on_body(self, below: bool) -> tuple[SurfaceLoad, Elastic]:
+    def _on_body(self, below: bool) -> tuple[SurfaceLoad, Body]:
         load, medium = self.surface_load, self._medium
-        if not isinstance(medium, HomogeneousMedium):
+        if offers(medium, LayerStack):
+            if below or isinstance(medium.second, Elastic):
+                return (load, medium) if below else (load.reversed(), medium.second)
+        elif not isinstance(medium, HomogeneousMedium):
             raise OutsideValidity(
                 f"{type(self).__name__}: the stress below the surface of a height map on a {type(medium).__name__} is "
-                "not known at each place, greatest_stress() of layers is; give a HalfSpace."
+                "not known; give a HalfSpace or layers."
             )
         return (load if below else load.reversed()), solid_below(medium, below)
 
@@ -129,7 +106,7 @@ class BelowSurface:
         InvalidInput
             If a place is not finite, or the depths lie in both bodies.
         OutsideValidity
-            If the body is rigid or not isotropic.
+            If the body is rigid, graded or not isotropic, or a place in layers lies beside a map that stands alone.
 
         References
         ----------
@@ -205,5 +182,6 @@ class BelowSurface:
         medium = self._medium
         parts = tuple(part for part in solid_parts(medium) if part.first == below)
         if not (parts and offers(medium, LayerStack)):
-            return greatest_stress(*self._on_body(below))
+            load, body = self._on_body(below)
+            return greatest_stress(load, body if isinstance(body, Elastic) else solid_below(medium, below))
         return max(greatest_in_parts(self.surface_load, medium, parts), key=lambda spot: spot.value)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
+from winkler.problems.normal.map_yield import greatest_share, map_yield_notes
+from winkler.problems.pressed_shape.surface_load import SurfaceLoad
 from winkler.problems.subsurface.below_surface import BelowSurface
 from winkler.problems.subsurface.loaded_history import LoadedMap
-from winkler.problems.subsurface.map_yield import history_yield_notes
-from winkler.problems.subsurface.surface_load import SurfaceLoad
 from winkler.values.validity import Note
 
 __all__ = ["LastMap"]
@@ -36,5 +36,19 @@ class LastMap(BelowSurface):
 
     def _yield_notes(self, count: int) -> tuple[Note, ...]:
         """Return whether the bodies stay elastic in all of the states, and which of them strains them most."""
-        rough = self.problem.topography
-        return history_yield_notes(self.problem.medium, rough.lengths, self.heaviest, count, periodic=rough.periodic)
+        medium, rough = self.problem.medium, self.problem.topography
+        loads = [
+            SurfaceLoad.of_map(rough.lengths, each.pressure, each.traction, periodic=rough.periodic)
+            for each in self.heaviest
+        ]
+        if not loads:
+            return ()
+        shares = [greatest_share(medium, load) if len(loads) > 1 else 0.0 for load in loads]
+        worst = shares.index(max(shares))
+        when = ""
+        if count > 1:
+            when = (
+                f", in state {self.heaviest[worst].index + 1} of {count}, the worst of those under the greatest "
+                "pressure, traction or shear force"
+            )
+        return map_yield_notes(medium, loads[worst], when)

@@ -12,9 +12,9 @@ from typing import ClassVar
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.problems.assumptions.declared import MAPPED
-from winkler.problems.subsurface.below_surface import BelowSurface, greatest_stress
-from winkler.problems.subsurface.map_yield import map_yield_notes
-from winkler.problems.subsurface.surface_load import SurfaceLoad
+from winkler.problems.normal.map_yield import greatest_stress, map_yield_notes
+from winkler.problems.pressed_shape.surface_load import SurfaceLoad
+from winkler.problems.subsurface.below_surface import BelowSurface
 from winkler.values.validity import Assumption, Note, Standing, standing_of
 from winkler.values.value import value, words
 

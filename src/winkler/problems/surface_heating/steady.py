@@ -19,7 +19,7 @@ from winkler.media.conduction.conductors import HeatConductors
 from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import HEATED, MAPPED
 from winkler.problems.heating.input_checks import RubbingBodies, peclet_numbers
-from winkler.problems.subsurface.surface_load import SurfaceLoad
+from winkler.problems.pressed_shape.surface_load import SurfaceLoad
 from winkler.problems.surface_heating.notes import passing_note, surface_heating_notes
 from winkler.problems.surface_heating.patch import HeatedPatch, half_length
 from winkler.problems.surface_heating.state import SurfaceHeatState

@@ -40,7 +40,7 @@ SUBSURFACE = Chapter(
     kinds={
         "surface_load": {
             "surface_load": kind(
-                "winkler.problems.subsurface.surface_load:SurfaceLoad",
+                "winkler.problems.pressed_shape.surface_load:SurfaceLoad",
                 reader="winkler.io.tables.surface_load_table:read_surface_load",
                 problem="map_stress",
                 pressure=HILL,

@@ -40,7 +40,7 @@ CONTINUOUS = Equation(
 
 def surface_heating_formulas(problem: Any) -> tuple[Equation, ...]:
     """Return the formulas of a map that slides, or that rolls."""
-    if is_a(problem.contact, "winkler.problems.subsurface.surface_load:SurfaceLoad"):
+    if is_a(problem.contact, "winkler.problems.pressed_shape.surface_load:SurfaceLoad"):
         return (SLIDING_FLUX, WARMED, CONTINUOUS)
     return (ELEMENTS, CERRUTI, PASSED, COULOMB, ROLLING_FLUX, WARMED, CONTINUOUS)
 

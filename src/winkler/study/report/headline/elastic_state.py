@@ -327,7 +327,7 @@ def _map(point: SolvedPoint) -> ElasticState | None:
     if found is None or not (isinstance(found[0], HalfSpace) or offers(found[0], LayerStack)):
         return None
     from winkler.media.interior.map_peak import greatest_below
-    from winkler.problems.subsurface.below_surface import greatest_in_parts, greatest_stress
+    from winkler.problems.normal.map_yield import greatest_in_parts, greatest_stress
 
     medium, load, under = found
     if load.pressure.size > MOST_PIXELS and not strong_parts(medium):
