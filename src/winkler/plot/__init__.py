@@ -1,4 +1,4 @@
-"""Figures: ``draw(anything)`` returns a matplotlib figure.
+"""Figures of shapes, contacts and answers: as SVG by itself, or with matplotlib.
 
 ``draw`` and the modules that register pictures are imported at the first use; a report of single pictures does not
 load them.
