@@ -17,10 +17,11 @@ from winkler.study.chapters.contents import answer_of
 from winkler.study.language.catalogue import CATALOGUE
 from winkler.study.language.explain import example_study
 from winkler.study.language.reading import parse_study
+from winkler.study.language.template import whole_text
 from winkler.study.report.headline.advice import ADVICE, worst_doubt
 from winkler.study.report.headline.elastic_state import elastic_state
 from winkler.study.report.headline.section import doubt_line, doubt_of, headline, headline_section
-from winkler.study.report.headline.shown_contact import shown_point
+from winkler.study.report.headline.shown_contact import shown_point, stressed_contact
 from winkler.study.report.headline.summary import contact_summary
 from winkler.study.report.tables import contact_section
 from winkler.values.units import quantity
@@ -89,7 +90,7 @@ def test_a_cylinder_has_the_stresses_of_hertz():
     assert state.unit == "N/m"
 
 
-@pytest.mark.parametrize("kind", ["line_fretting_wear", "line_adhesion", "adhesive_indentation", "rough_contact"])
+@pytest.mark.parametrize("kind", ["line_fretting_wear", "line_adhesion", "sliding_wear", "rough_contact"])
 def test_what_is_not_an_elastic_contact_has_none_beside(kind):
     assert elastic_state(shown_point(solved(kind))) is None
 
@@ -332,3 +333,22 @@ def test_an_ellipse_of_springs_has_the_stresses_of_hertz():
     own = wk.ContactStress(wk.EllipticIndentation(bodies, steel, wk.Force(100.0))).solve()
     assert state.von_mises == pytest.approx(own.von_mises, rel=1e-6)
     assert [one.value for one in state.shears] == pytest.approx([own.max_shear, own.orthogonal_shear], rel=1e-6)
+
+
+def test_stresses_below_an_edge_that_adheres_are_those_of_hertz_less_those_of_a_flat_punch():
+    """On the axis, of a harmonic f that is 1 at the surface, sigma_z = f - z f', 2 sigma_r = (1 + 2 nu) f + z f'."""
+    point = shown_point(run(parse_study(whole_text("adhesive_cycle"))))
+    state, contact = elastic_state(point), stressed_contact(point)
+    bed, a = contact.problem.bed, contact.radius
+    modulus, radius = bed.medium.modulus, bed.profile.curvature_radius
+    hertz, punch = 2.0 * modulus * a / (np.pi * radius), np.sqrt(2.0 * contact.problem.law.work * modulus / (np.pi * a))
+    assert state.peak_pressure == pytest.approx(hertz - punch, rel=1e-6)
+    z, nu = np.linspace(0.3, 0.7, 40001), bed.medium.first.poisson
+    slope = z / (1.0 + z * z) - np.arctan(1.0 / z)
+    below = [(hertz, 1.0 + z * (slope - z / (1.0 + z * z)), slope)]
+    below.append((-punch, 1.0 / (1.0 + z * z), -2.0 * z / (1.0 + z * z) ** 2))
+    mises = sum(peak * (0.5 * (1.0 - 2.0 * nu) * f - 1.5 * z * of_z) for peak, f, of_z in below)
+    assert state.von_mises == pytest.approx(np.max(mises), rel=1e-6)
+    assert state.depth == pytest.approx(z[np.argmax(mises)] * a, rel=1e-3)
+    assert "attraction" in state.sharp
+    assert state.under == "with adhesion, without friction"

@@ -31,8 +31,9 @@ MOST_IN_COLUMN = 4
 RADII_DRAWN = 1.35
 """Extent of the pictures in contact radii."""
 POINTS = 400
-PRESSURE_CEILING = 3.0
-"""Greatest drawn pressure over that below which half of the load is carried; at a core or a punch it is infinite."""
+PRESSURE_CEILING, CORE_CEILING = 3.0, 2.0
+"""Greatest drawn pressure over its mean, and over that below which half of the load is carried; it is infinite at the
+edge of a core or a punch."""
 
 
 @without_extent(FrettingSolution, LineFrettingSolution)
@@ -212,7 +213,7 @@ def state_panels(states: tuple[WornState, ...], names: list[str], what: str) -> 
     usual = max(map(_bearing, chosen_states))
     shades = [style.shade(float(share)) for share in np.linspace(0.25, 1.0, len(chosen))]
     panels = []
-    for name, most in (("height", np.inf), ("worn", np.inf), ("pressure", PRESSURE_CEILING * usual)):
+    for name, most in (("height", np.inf), ("worn", np.inf), ("pressure", CORE_CEILING * usual)):
         lines = [
             Line(state.nodes[inside], np.asarray(getattr(state, name))[inside], colour, name=names[index])
             for state, inside, colour, index in zip(chosen_states, within, shades, chosen, strict=True)
@@ -269,7 +270,7 @@ def moment_panels(states: Sequence[WornState], moment: int) -> tuple[Panel, Pane
         Line(last.nodes, last.worn, name="in the end", **thin),
         Line(now.nodes, now.worn, style.RED, name="now"),
     ]
-    most = PRESSURE_CEILING * max(map(_bearing, states))
+    most = CORE_CEILING * max(map(_bearing, states))
     top = max(float(np.max(np.minimum(one.pressure, most))) for one in states)
     pressure = [
         Line(first.nodes, np.minimum(first.pressure, most), name=start, dash=style.DASHES[1], **thin),

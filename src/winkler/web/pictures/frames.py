@@ -55,7 +55,7 @@ def frames_of(point: SolvedPoint, *, most: int | None = None) -> Iterator[Sheet]
     moments = moments_of(point)
     if moments.total < 2:
         raise InvalidInput(
-            f"film: a {type(point.problem).__name__} of one load does not move; give a path, times, cycles or a list "
+            f"film: {type(point.problem).__name__} of one load does not move; give a path, times, cycles or a list "
             "of loads."
         )
     chosen = spread(moments.total, most)

@@ -1,9 +1,11 @@
 """The stresses beside an answer: greatest pressure, von Mises' and shear stress with their depths, load of yield.
 
-One search serves all contacts whose stresses are known: springs of round contacts, Hertz's ellipse, strips, rollers by
-their most pressed slice, height maps and patches of profiles with their tractions, bodies that relax, and metals that
-have yielded, whose greatest von Mises stress is the strength.  A strip whose half-width is not that of the elastic one
-under its load (worn, viscoelastic, adhesive) has none.  Only the modules of the contact at hand are loaded.
+One search serves all contacts whose stresses are known: springs of round contacts, also where an edge adheres, Hertz's
+ellipse, strips, rollers by their most pressed slice, height maps and patches of profiles with their tractions, bodies
+that relax, and metals that have yielded, whose greatest von Mises stress is the strength.  Not built: strips whose
+half-width is not that of the elastic one under their load (worn, viscoelastic, adhesive), worn round bodies, whose
+pressure is known at their rings alone, and attraction of a range, whose springs do not end at the rim.  Only the
+modules of the contact at hand are loaded.
 """
 
 from __future__ import annotations
@@ -16,7 +18,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.foundation.bed import PressedSprings
+from winkler.foundation.bed import PressedSprings, StretchedSprings
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior import tensor
 from winkler.media.offers import LayerStack, offers
@@ -126,7 +128,7 @@ def elastic_state(point: SolvedPoint) -> ElasticState | None:
     try:
         contact = stressed_contact(point)
         problem = getattr(contact, "problem", point.problem)
-        if isinstance(contact, IndentationSolution):
+        if isinstance(getattr(contact, "pressed", None), PressedSprings):
             return _round(contact)
         for form in (_yielded, _ellipse, _strip, _strips, _roller):
             if (found := form(contact, problem)) is not None:
@@ -163,7 +165,7 @@ def _round(contact: Any) -> ElasticState | None:
 
     pressed = contact.pressed
     parts = solid_parts(pressed.bed.medium)
-    if type(pressed) is not PressedSprings or not parts or pressed.radius <= 0.0:
+    if type(pressed) not in (PressedSprings, StretchedSprings) or not parts or pressed.radius <= 0.0:
         return None
     sharp = {part: greatest_stress(pressed, _alike(parts, part, pressed)).sharp for part in parts}
 
@@ -171,8 +173,12 @@ def _round(contact: Any) -> ElasticState | None:
         place = greatest_stress(pressed, _alike(parts, part, pressed), measure=measure)
         return Deep(place.value, place.z)
 
-    part, state = _state(parts, find, float(np.max(contact.peak_pressure)), "N")
-    onset = _onset(pressed.bed, part, sharp[part]) if part.solid.strength < math.inf else math.nan
+    sticks = not isinstance(contact, IndentationSolution)
+    inside = pressed.radius * np.linspace(0.0, 1.0, RADII, endpoint=False)
+    peak = float(np.max(pressed.bed.medium.pressure(pressed, inside) if sticks else contact.peak_pressure))
+    part, state = _state(parts, find, peak, "N", f"with adhesion, {FRICTIONLESS}" if sticks else FRICTIONLESS)
+    asked = part.solid.strength < math.inf and not sticks
+    onset = _onset(pressed.bed, part, sharp[part]) if asked else math.nan
     shears = () if any(sharp.values()) else state.shears
     load = float(np.max(contact.force))
     return state._replace(sharp=sharp[part], yield_load=onset, shears=shears, load=load)
@@ -207,7 +213,7 @@ def _yielded(solution: Any, problem: Any) -> ElasticState | None:
     part, times = min(parts, key=lambda one: one.solid.strength), greatest / onset if onset > 0.0 else math.inf
     if times < 1.0 and type(getattr(problem.bed, "profile", None)).__name__ not in ROUND:
         return None  # only below balls, ellipses and cylinders the stress is a power of the load
-    strength, hardens = part.solid.strength, type(part.solid).__name__ != "Elastic"
+    strength, hardens = part.solid.strength, hasattr(part.solid, "flow_stress")
     under = FRICTIONLESS
     if times >= 1.0:
         under = f"where it yields{' and hardens: this or more' * hardens}; residual stresses are not computed"
@@ -236,7 +242,7 @@ def _ellipse(solution: Any, problem: Any) -> ElasticState | None:
 def _strip(solution: Any, problem: Any) -> ElasticState | None:
     bed: Any = getattr(problem, "bed", None)
     half_width, force = (getattr(solution, name, None) for name in ("half_width", "force_per_length"))
-    if type(bed).__name__ != "LineFoundation" or half_width is None or not isinstance(bed.medium, HalfSpace):
+    if not hasattr(bed, "hertzian") or half_width is None or not isinstance(bed.medium, HalfSpace):
         return None
     from winkler.loading.loads import HalfWidth, LineForce
     from winkler.problems.line.indentation import LineIndentation
@@ -404,12 +410,15 @@ def _relaxing(point: SolvedPoint) -> ElasticState | None:
     """
     solution, problem = point.solution, point.problem
     medium = medium_of(solution)
-    if type(solution).__name__ != "ViscoelasticSolution" or type(medium).__name__ != "ViscoelasticHalfSpace":
+    relaxes = hasattr(medium, "second") and not isinstance(medium, HalfSpace)
+    if not (relaxes and hasattr(problem, "steps") and np.ndim(getattr(solution, "force", 0.0))):
         return None
     from winkler.problems.normal.greatest_stress import greatest_stress
 
     index = int(np.argmax(solution.force))
     state = next(itertools.islice(problem.steps(), index, None))
+    if not (hasattr(state, "pressed") and hasattr(state, "pressure")):
+        return None
     bodies = ((medium.first, "first body", True), (medium.second, "second body", False))
     parts = tuple(StrongPart(name, body, first) for body, name, first in bodies if hasattr(body, "poisson"))
     pressed = state.pressed

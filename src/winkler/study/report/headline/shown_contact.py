@@ -72,7 +72,7 @@ def stressed_contact(point: SolvedPoint) -> Any:
         A solved point.
     """
     contact = shown_contact(point)
-    if isinstance(contact, IndentationSolution):
+    if contact is not None:
         return contact
     found = point.each[-1]
     inside = getattr(found, "contact", None)
