@@ -71,11 +71,11 @@ def cast(numbers: Any, digits: Any) -> Any:
 
 
 def dot(one: Any, other: Any) -> float:
-    """Return the sum of the products of two arrays of one shape."""
+    """Return the sum of the products of two arrays of one shape; of complex numbers, of both of their parts."""
     if isinstance(one, np.ndarray):
-        return float(np.vdot(one, other))
+        return float(np.vdot(one, other).real)
     xp = namespace_of(one)
-    return float(xp.vecdot(xp.reshape(one, (-1,)), xp.reshape(other, (-1,))))
+    return float(xp.vecdot(xp.reshape(one, (-1,)), xp.reshape(other, (-1,))).real)
 
 
 def real_waves(numbers: Any, padded: Sequence[int], workers: int) -> Any:

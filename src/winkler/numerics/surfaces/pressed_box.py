@@ -218,8 +218,8 @@ class BoxContact:
     def _step(self, downhill: float, share: float, tolerance: float, most_lost: float) -> bool:
         """Go down along the direction by a share of what it is worth; return whether most of the contact was kept."""
         xp, scale = self.xp, 1.0
-        sunk = self.grid.displaced(self.along)
-        length = share * downhill / self.rows.dot(self.along, sunk)
+        waves, work = self.grid.displacing(self.along)
+        length = share * downhill / work
 
         def moved(part: Any) -> Any:
             pressed = cast(self.along[part], self.p.dtype) * -length
@@ -246,10 +246,11 @@ class BoxContact:
             scale = self.load / load
             scale = scale if abs(scale - 1.0) > LOAD_RATIO * tolerance else 1.0
         if lost or scale != 1.0:
+            del waves
             self.rows.each(changed)
-            del sunk
             self._sink()
         else:
+            sunk = self.grid.numbers(waves)
             self.rows.each(gone)
         if not self.elastic and not math.isnan(self.load):
             self._carry()

@@ -12,12 +12,14 @@ the integral of their kernel over the pixel (`winkler.numerics.pixels.layered`),
 from __future__ import annotations
 
 import functools
+import math
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.numerics.arrays import cast, namespace_of, real_waves, waves_back
+from winkler.numerics.arrays import cast, dot, namespace_of, real_waves, waves_back
 from winkler.numerics.pixels.layered import SurfaceBelow
+from winkler.numerics.row_blocks import RowBlocks
 from winkler.numerics.threads import cores
 from winkler.numerics.types import Array
 
@@ -152,6 +154,21 @@ class SurfaceGrid(NamedTuple):
         both = self.waves(pressure)
         both *= self.response
         return self.numbers(both)
+
+    def displacing(self, pressure: Any) -> tuple[Any, float]:
+        """Return the waves of u under p, over E*, and the sum of p u: that of the waves, half of which are stored."""
+        waves = self.waves(pressure)
+        once = (0, -1) if self.padded[1] % 2 == 0 else (0,)
+
+        def worked(part: Any) -> tuple[float]:
+            before = waves[part]
+            after = before * self.response[part]
+            twice = 2.0 * dot(before, after) - sum(dot(before[:, each], after[:, each]) for each in once)
+            waves[part] = after
+            return (twice,)
+
+        (work,) = RowBlocks(waves, self.workers).total(worked)
+        return waves, work / math.prod(self.padded)
 
     def roughly_pressing(self, displacement: Any) -> Any:
         """Return pressures, over E*, that would displace a periodic surface so: the preconditioner."""
