@@ -52,7 +52,7 @@ def potential(piles: tuple[Pile, ...], x: Array, z: Array) -> tuple[Array, Array
     ----------
     piles : tuple of Pile
     x, z : ndarray, (m,)
-        Places [m], x not negative, z positive.
+        Positions [m], x not negative, z positive.
 
     Returns
     -------

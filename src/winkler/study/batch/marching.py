@@ -51,7 +51,7 @@ def solve_march(problem: March, watch: Watch = unwatched, keep: CheckpointStore 
     Parameters
     ----------
     problem
-        The problem.
+        The problem that was solved.
     watch
         Passes every state on.
     keep
