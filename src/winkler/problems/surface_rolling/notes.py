@@ -63,8 +63,8 @@ def surface_rolling_notes(
         standing_left(float(np.max(misfit)), Standing.ASYMPTOTIC),
         f"{bodies} roll on each other, with {named(friction)} in each pixel. The residual of the law of "
         f"friction is {float(np.max(misfit)):.1g} of the energy dissipated at full sliding.{met} the rolling "
-        f"direction there are {across} pixels. The error of the forces is proportional to the pixel size. With 40 pixels "
-        "it is about 0.5 % of mu F_N.",
+        f"direction there are {across} pixels. The error of the forces is proportional to the pixel size. With "
+        "40 pixels it is about 0.5 % of mu F_N.",
         KALKER,
     )
     steady = Note(
