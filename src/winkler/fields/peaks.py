@@ -38,7 +38,7 @@ class PeakStress:
     von_mises : float
         [Pa].
     r, z : float
-        Where [m].
+        Coordinates [m].
     """
 
     von_mises: float
@@ -55,7 +55,7 @@ class PlacedStress:
     von_mises : float
         [Pa].
     x, y, z : float
-        Where [m].
+        Coordinates [m].
     """
 
     von_mises: float

@@ -76,7 +76,7 @@ class SubsurfaceFields:
     Parameters
     ----------
     r, z : ndarray
-        Where [m]; z as requested: positive in the first body, negative in the second.
+        Coordinates [m]; z as requested: positive in the first body, negative in the second.
     radial_stress, hoop_stress, axial_stress, shear_stress : ndarray
         [Pa], tension positive; shear in the planes that contain the axis.
     radial_displacement, axial_displacement : ndarray

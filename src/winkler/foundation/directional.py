@@ -126,7 +126,7 @@ class DirectionalBed(MeasuredBed):
         return float(np.max(np.abs(np.log(self.ratios_along / self.ratios_across))))
 
     def tangential_stiffness(self, x: Array) -> Array:
-        """c_T(x) [Pa] of a shear along x."""
+        """Tangential stiffness of the springs per length c_T(x) [Pa], for shear along x."""
         ratio, rise = _ratio(self, np.asarray(x, dtype=float))
         return np.asarray(ratio * self.normal_stiffness(x) + 0.5 * rise * self.stiffness(x))
 

@@ -124,7 +124,7 @@ class EllipticFoundation(UnderProfile):
         )
 
     def tangential_stiffness(self, x: Array) -> Array:
-        """c_T(x) [Pa] of a shear along x.
+        """Tangential stiffness of the springs per length c_T(x) [Pa], for shear along x.
 
         Raises
         ------

@@ -228,7 +228,7 @@ class LineFoundation(LineBed):
         Parameters
         ----------
         x, z : ndarray, (m,)
-            Places [m], x not negative, z positive.
+            Positions [m], x not negative, z positive.
         half_width, rim_load : float
             As in `pressure`.
         """

@@ -210,10 +210,10 @@ def test_the_report_has_formulas_and_tables(name):
     outcome = run(Study(name, problem))
     assert all(formula(one.latex).startswith("<math") for one in formulas_of(problem))
     says = " ".join(one.says for one in formulas_of(problem))
-    assert ("ring ends" in says) == (name == "ring")
+    assert ("cohesive zone ends" in says) == (name == "ring")
     assert ("Long-range attraction" in says) == (name == "far")
-    assert ("sheared" in says) == (name == "shear")
-    assert "just touches" not in says
+    assert ("under shear" in says) == (name == "shear")
+    assert "the outermost spring is zero" not in says
     html = page(outcome, ())
     for attribute, title in EVENTS.items():
         assert (f"<h3>{title}</h3>" in html) == bool(events_of(outcome.points[0].solution, attribute))

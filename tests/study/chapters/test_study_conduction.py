@@ -38,12 +38,12 @@ def test_formulas_state_what_was_done():
     bare, filmed = wk.ElectricalConductors(METAL, METAL), FILMED
     plain = [one.says for one in formulas_of(wk.Constriction(wk.Indentation(BALL, wk.Force(1.0)), bare))]
     more = [one.says for one in formulas_of(wk.Constriction(wk.Indentation(BALL, wk.Force(1.0)), filmed))]
-    assert any("after Barber" in says for says in plain)
+    assert any("(Barber)" in says for says in plain)
     assert not any("film" in says for says in plain)
     assert {"film", "rod"} <= {word for word in ("film", "rod") for says in more if word in says}
     soil = wk.Foundation(wk.Paraboloid(1e-2), wk.GradedHalfSpace.between(wk.PowerLawGraded(1e9, 1e-3, 0.3, 0.3)))
     graded = [one.says for one in formulas_of(wk.Constriction(wk.Indentation(soil, wk.Force(1.0)), bare))]
-    assert any("whatever the elastic medium" in says for says in graded)
+    assert any("for any elastic medium" in says for says in graded)
 
 
 SWEPT = Study(

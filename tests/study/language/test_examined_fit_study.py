@@ -133,7 +133,9 @@ def test_models_are_compared(here, tmp_path):
     write_files(outcome_files(outcome), tmp_path / "out")
     written = rows(tmp_path / "out" / "models.csv")
     assert {row["model"]: row["possible [-]"] for row in written if row["curve"] == "curve3.csv"}["cone"] == "0.0"
-    assert "Model 'cone': distinguished from all others in 0, possible in 0 of 2 curves." in list(further_sentences(outcome))
+    assert "Model 'cone': distinguished from all others in 0, possible in 0 of 2 curves." in list(
+        further_sentences(outcome)
+    )
 
 
 def test_a_comparison_goes_on_beside_a_curve_without_contact(here):

@@ -108,7 +108,7 @@ def _estimates(rows: Array, rest: Array, numbers: Array) -> list[Estimate]:
 
 @value
 class MeasuredConstriction:
-    """A contact with measured resistance over the force.
+    """A contact whose electrical resistance was measured as a function of the force.
 
     Parameters
     ----------

@@ -129,7 +129,7 @@ class ContinuousIndentationSolution:
     Parameters
     ----------
     problem : ContinuousIndentation
-        The problem.
+        The problem that was solved.
     points : ndarray, (n,)
         Indices of the evaluated points of the data.
     depth, force, contact_depth, modulus, young, hardness : ndarray, (n,)

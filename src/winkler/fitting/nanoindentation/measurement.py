@@ -308,7 +308,7 @@ class NanoindentationSolution:
     Parameters
     ----------
     problem : Nanoindentation
-        The problem.
+        The problem that was solved.
     zero_point : ZeroPoint
         Point of first touch.
     drift : ThermalDrift

@@ -171,7 +171,7 @@ class OliverPharrSolution:
     Parameters
     ----------
     problem : OliverPharr
-        The problem.
+        The problem that was solved.
     force : float
         Force at the peak [N], where the unloading begins: measured at the end of a hold, or that of the fitted law.
     depth : float

@@ -181,7 +181,7 @@ class GradedHalfSpace:
         return transform(profile, self.exponent).gap(np.asarray(x, dtype=float))
 
     def gap_slope(self, profile: Profile, x: Array) -> Array:
-        """g'(x) [-]; above a kink b of f it holds b jump x^-k (x^2 - b^2)^((k-1)/2)."""
+        """g'(x) [-]; above a kink of f at b it contains b jump x^-k (x^2 - b^2)^((k-1)/2)."""
         return transform(profile, self.exponent).gap_slope(np.asarray(x, dtype=float))
 
     def kinks(self, profile: Profile) -> tuple[tuple[float, float], ...]:

@@ -51,7 +51,7 @@ class BandPeak:
     height : float
         Conductivity times temperature [W/m].
     x : float
-        Where [m].
+        Coordinates [m].
     """
 
     height: float

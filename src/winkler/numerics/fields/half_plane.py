@@ -50,7 +50,7 @@ def potential(piles: tuple[Pile, ...], x: Array, z: Array) -> tuple[Array, Array
     ----------
     piles : tuple of Pile
     x, z : ndarray, (m,)
-        Places [m], x not negative, z positive.
+        Positions [m], x not negative, z positive.
 
     Returns
     -------

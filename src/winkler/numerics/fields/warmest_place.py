@@ -33,7 +33,7 @@ class PeakTemperature:
     height : float
         Temperature [K], or conductivity times temperature [W/m].
     x, y : float
-        Where [m]; of two places on both sides of the centre line that with y > 0.
+        Coordinates [m]; of two places on both sides of the centre line that with y > 0.
     """
 
     height: float

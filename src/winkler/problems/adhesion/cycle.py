@@ -223,7 +223,7 @@ class AdhesiveCycleSolution(AdhesiveState[Array], Looped):
 
     @property
     def energy(self) -> Array:
-        """Energy of bodies, machine and surfaces, minus that gained on closing [J], ``(steps,)``; zero apart."""
+        """Energy of bodies, machine and surfaces, minus that gained on closing [J], ``(steps,)``."""
         inner = self.problem._edge.energy(self.depth, self.force, self.radius)
         return np.asarray(inner + 0.5 * self.force**2 / self.problem.machine_stiffness)
 

@@ -40,7 +40,7 @@ class CurrentFields:
     Parameters
     ----------
     r, z : ndarray
-        Where [m]; z positive in the first body, negative in the second.
+        Coordinates [m]; z positive in the first body, negative in the second.
     potential : ndarray
         Voltage against the far end of the first body [V].
     temperature : ndarray
@@ -64,7 +64,7 @@ class HeatFields:
     Parameters
     ----------
     r, z : ndarray
-        Where [m]; z positive in the first body, negative in the second.
+        Coordinates [m]; z positive in the first body, negative in the second.
     excess_temperature : ndarray
         Above that of the second body far away [K].
     radial_heat_flux, axial_heat_flux : ndarray

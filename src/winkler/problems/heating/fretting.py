@@ -306,7 +306,8 @@ class FrettingHeatSolution:
                 Standing.APPROXIMATE,
                 f"The oscillation about the mean, about {self.swing:.3g} K, is an estimate for a heat flux that "
                 "varies as 1 + cos. The estimate is the smaller of two values: the mean temperature, and the "
-                f"amplitude of a plane that is heated uniformly. The thermal penetration depth per cycle is {reach:.2g} m.",
+                "amplitude of a plane that is heated uniformly. The thermal penetration depth per cycle is "
+                f"{reach:.2g} m.",
                 "one-dimensional diffusion; H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, Oxford 1959",
             ),
             temperature_note(float(self.max_temperature) + float(self.swing)),

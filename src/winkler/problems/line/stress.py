@@ -44,7 +44,7 @@ class LineFields:
     Parameters
     ----------
     x, z : ndarray
-        Where [m]; z as requested: positive in the first body, negative in the second.
+        Coordinates [m]; z as requested: positive in the first body, negative in the second.
     xx_stress, yy_stress, zz_stress, xz_stress : ndarray
         [Pa], tension positive.
     """

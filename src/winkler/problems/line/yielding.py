@@ -46,7 +46,7 @@ class LinePartOnset:
     force_per_length, half_width : float
         Load and half-width at the onset of yield [N/m], [m]; infinite if no yield was found in the examined range.
     x, z : float
-        Where [m], as in `LineYieldOnsetSolution`; nan where it does not yield.
+        Coordinates [m], as in `LineYieldOnsetSolution`; nan where it does not yield.
     why : str
         Reason why no onset was found; empty if one was found.
     """

@@ -105,7 +105,8 @@ class LineRollingStart:
     InvalidInput
         If the profile is not round, a number is out of range, a creepage has no reference, or a force has one.
     OutsideValidity
-        If a creepage is lateral or a spin; if a layer slides on the material below, or the bodies are viscoelastic.
+        If the creepage has a lateral or spin component, a layer slides on the material below, or the bodies are
+        viscoelastic.
 
     References
     ----------
@@ -269,7 +270,7 @@ class LineRollingStartSolution:
     stick_share : ndarray, (steps,)
         Width of the stick zone over that of the contact [-].
     states : tuple
-        The states one by one.
+        The states of all points.
     """
 
     __words__ = words(stick_share=("c/a", "", "part of the width that sticks"))

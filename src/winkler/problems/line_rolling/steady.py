@@ -101,8 +101,8 @@ class LineRolling(PerLoad[Q]):
     InvalidInput
         If the profile is not round, friction not Coulomb's with a positive, finite coefficient, or the load an array.
     OutsideValidity
-        If a creepage is lateral or a spin, which plane strain excludes. If a layer slides on the material below, or the
-        bodies are viscoelastic.
+        If the creepage has a lateral or spin component, which plane strain excludes. If a layer slides on the material
+        below, or the bodies are viscoelastic.
 
     References
     ----------

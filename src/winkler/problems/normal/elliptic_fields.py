@@ -26,7 +26,7 @@ class EllipticFields(BodyFields):
     Parameters
     ----------
     x, y, z : ndarray
-        Where [m]; z as requested: positive in the first body, negative in the second.
+        Coordinates [m]; z as requested: positive in the first body, negative in the second.
     xx_stress, yy_stress, zz_stress, xy_stress, xz_stress, yz_stress : ndarray
         [Pa], tension positive.
     x_displacement, y_displacement, z_displacement : ndarray

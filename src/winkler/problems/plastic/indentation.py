@@ -343,7 +343,7 @@ class PlasticSolution(PlasticPress[Array], Looped):
 
     @property
     def yield_depth(self) -> float:
-        """As in the problem [m]."""
+        """Yield depth, as in the problem [m]."""
         return self.problem.yield_depth
 
     @property

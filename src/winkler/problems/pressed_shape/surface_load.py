@@ -131,7 +131,7 @@ class SurfaceLoad:
 
     @property
     def force(self) -> float:
-        """Sum of the pressures [N]; of a periodic map on one period."""
+        """Sum of the pressures [N]; for a periodic map on one period."""
         return self._sum(self.pressure)
 
     @property

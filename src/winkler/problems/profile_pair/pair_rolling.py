@@ -363,8 +363,8 @@ def pair_rolling_notes(
             Assumption.SLIP,
             standing_left(misfit, Standing.ASYMPTOTIC),
             f"Kalker's exact theory of rolling, with {named(friction)} in each pixel. The residual of the law of "
-            f"friction is {misfit:.1g} of the energy dissipated at full sliding. The rigid slip follows the rolling radii of "
-            "both bodies across the patch.",
+            f"friction is {misfit:.1g} of the energy dissipated at full sliding. The rigid slip follows the rolling "
+            "radii of both bodies across the patch.",
             KALKER,
         ),
         Note(

@@ -223,7 +223,7 @@ class OscillatingRollingSolution:
     shift : ndarray, (steps,)
         Tangential displacement u_x after these cycles [m].
     states : tuple
-        The states one by one.
+        The states of all points.
     """
 
     problem: OscillatingRolling

@@ -223,7 +223,7 @@ class RollingStartSolution:
     stick_share : ndarray, (steps,)
         Fraction of the one-dimensional foundation in the stick zone [-].
     states : tuple
-        The states one by one.
+        The states of all points.
     """
 
     problem: RollingStart

@@ -26,7 +26,7 @@ def refuse_too_large(shape: tuple[int, ...], periodic: bool, owner: str = "Surfa
     periodic
         Whether it is repeated.
     owner
-        The problem.
+        The problem that was solved.
     takes
         Its memory [byte]; that of a `SurfaceContact` unless given.
 

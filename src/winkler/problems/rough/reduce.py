@@ -166,7 +166,7 @@ class Reduction:
         Raises
         ------
         OutsideValidity
-            If they are too few for springs.
+            If there are too few contacts to define the springs.
         """
         rows, stuck = [], StuckContacts(self.medium, self.topography.pixel)
         for state in states:  # which are not kept, since their maps would fill the memory

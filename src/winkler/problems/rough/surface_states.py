@@ -17,7 +17,7 @@ class SurfaceState:
     depth : float
         d [m] since the highest point touched; of a periodic map by how much the mean planes have approached since then.
     force : float
-        F_N [N]; of a periodic map on one period.
+        F_N [N]; for a periodic map on one period.
     stiffness : float
         Of a flat punch of the shape of the contact [N/m]: of elastic bodies dF/dd, with a hardness that of unloading.
         Infinite where a periodic map touches everywhere.

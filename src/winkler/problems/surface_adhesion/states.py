@@ -52,7 +52,7 @@ class MapAdhesion(PerLoad[Q]):
     depth : float or ndarray, (steps,)
         d [m], as of `SurfaceContact`; negative while the undeformed surfaces are apart.
     force : float or ndarray, (steps,)
-        F_N [N], negative where the machine pulls; of a periodic map on one period.
+        F_N [N], negative where the machine pulls; for a periodic map on one period.
     area : float or ndarray, (steps,)
         Of what touches [m^2], pixels counted and the excess along its edge taken off: on the wall, or nearer than the
         spacing at which surfaces repel each other.

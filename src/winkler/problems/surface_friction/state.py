@@ -19,7 +19,7 @@ class MapSlip(PerLoad[Q]):
     time : float or ndarray, (points,)
         t [s].
     depth, force : float or ndarray, (points,)
-        d [m] since the highest pixel touched, F_N [N]; of a periodic map on one period.
+        d [m] since the highest pixel touched, F_N [N]; for a periodic map on one period.
     shift, shear_force : ndarray, (2,) or (points, 2)
         (u_x, u_y) [m] and (F_x, F_y) [N]: what drags the second body along.
     angle, torque : float or ndarray, (points,)

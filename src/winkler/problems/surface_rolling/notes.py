@@ -62,9 +62,9 @@ def surface_rolling_notes(
         Assumption.SLIP,
         standing_left(float(np.max(misfit)), Standing.ASYMPTOTIC),
         f"{bodies} roll on each other, with {named(friction)} in each pixel. The residual of the law of "
-        f"friction is {float(np.max(misfit)):.1g} of the energy dissipated at full sliding.{met} the rolling direction there "
-        f"are {across} pixels. The error of the forces is proportional to the pixel size. With 40 pixels "
-        "it is about 0.5 % of mu F_N.",
+        f"friction is {float(np.max(misfit)):.1g} of the energy dissipated at full sliding.{met} the rolling "
+        f"direction there are {across} pixels. The error of the forces is proportional to the pixel size. With "
+        "40 pixels it is about 0.5 % of mu F_N.",
         KALKER,
     )
     steady = Note(

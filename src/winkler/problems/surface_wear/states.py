@@ -19,7 +19,7 @@ class MapWear(PerLoad[Q]):
     depth : float or ndarray, (steps,)
         d [m] since the highest point of the unworn map touched, elastic approach and wear together.
     force : float or ndarray, (steps,)
-        F_N [N]; of a periodic map on one period.
+        F_N [N]; for a periodic map on one period.
     area, area_error : float or ndarray, (steps,)
         Of the contact, and the error that the grid leaves [m^2].
     peak_pressure : float or ndarray, (steps,)

@@ -48,7 +48,7 @@ def solve_march(problem: March, watch: Watch = unwatched, keep: CheckpointStore 
     Parameters
     ----------
     problem
-        The problem.
+        The problem that was solved.
     watch
         Passes every state on.
     keep

@@ -133,7 +133,7 @@ class CurveEvents(tuple[CurveEvent, ...]):
         return "\n".join(map(str, self))
 
     def lines(self, times: Iterable[float] = ()) -> tuple[str, ...]:
-        """Return one line for each event; with the times of the points [s] in place of their numbers."""
+        """Return one line of text for each event, with the times of the points [s] instead of their numbers."""
         clock = list(times)
         if not clock:
             return tuple(map(str, self))

@@ -31,7 +31,7 @@ class PartOnset:
         Force, contact radius and depth at the onset of yield [N], [m], [m]; infinite if no yield was found in the
         examined range.
     x, z : float
-        Where [m], as in `YieldOnsetSolution`; nan where it does not yield.
+        Coordinates [m], as in `YieldOnsetSolution`; nan where it does not yield.
     why : str
         Reason why no onset was found; empty if one was found.
     """
@@ -67,7 +67,7 @@ class EllipticPartOnset:
     force : float
         [N] when it begins to yield.
     x, y, z : float
-        Where [m], as in `EllipticYieldOnsetSolution`.
+        Coordinates [m], as in `EllipticYieldOnsetSolution`.
     """
 
     __words__ = words(part=PART, name=NAME, x=("x", "m", "place along the surface"))
