@@ -41,7 +41,7 @@ from winkler.numerics.integrals.adaptive_quadrature import settled
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.transforms import abel
-from winkler.numerics.transforms.abel_intervals import noise
+from winkler.numerics.transforms.abel_intervals import noise, root_difference
 from winkler.numerics.types import Array, Curve
 from winkler.profiles.flat import CappedCylinder
 from winkler.profiles.line_transform import line_load, line_load_slope
@@ -190,7 +190,7 @@ class LineFoundation(LineBed):
         beside = np.maximum(np.ravel(np.asarray(x, dtype=float)), half_width)
         if half_width == 0.0:
             return np.asarray(self.profile.height(x))
-        root = abel.root_difference(beside, half_width)
+        root = root_difference(beside, half_width)
         if self.hertzian:
             apart = (beside * root - half_width**2 * np.arcsinh(root / half_width)) / (2.0 * self._round)
         else:
@@ -217,7 +217,7 @@ class LineFoundation(LineBed):
         edges = [b for b, _ in self.kinks]
         along = 0.5 * abel.surface(self.load_profile_slope, edges, x, half_width)
         outside = x > half_width
-        along[outside] += rim_load / (np.pi * abel.root_difference(x[outside], half_width))
+        along[outside] += rim_load / (np.pi * root_difference(x[outside], half_width))
         found = np.empty(x.shape, dtype=complex)
         found.real, found.imag = self.medium.modulus * along, -self.pressure(x, half_width, rim_load)
         return found
@@ -255,7 +255,7 @@ def _piles(bed: LineFoundation, half_width: float) -> tuple[Pile, ...]:
     return tuple(
         Pile(low, fit_panels(_density(bed, low, high), np.array([0.0, top]), tolerance))
         for low, high in pairwise(edges)
-        if (top := float(abel.root_difference(np.array(high), low))) > 0.0
+        if (top := float(root_difference(np.array(high), low))) > 0.0
     )
 
 
@@ -264,7 +264,7 @@ def _density(bed: LineFoundation, low: float, high: float) -> Curve:
 
     def density(y: Array) -> Array:
         c = np.clip(np.hypot(low, y), first, high)
-        return np.asarray(bed.load_profile_slope(c) * (abel.root_difference(c, low) / c if low > 0.0 else 1.0))
+        return np.asarray(bed.load_profile_slope(c) * (root_difference(c, low) / c if low > 0.0 else 1.0))
 
     return density
 
@@ -280,10 +280,10 @@ def _beside(bed: LineFoundation, half_width: float, x: Array) -> Array:
 
 
 def _between(bed: LineFoundation, low: float, high: float, x: Array) -> Array:
-    span = abel.root_difference(x, low)
+    span = root_difference(x, low)
     width = np.full(x.shape, 0.5 * math.pi)
     if high < math.inf:
-        last = np.arctan2(abel.root_difference(np.asarray(high), low), abel.root_difference(x, high))
+        last = np.arctan2(root_difference(np.asarray(high), low), root_difference(x, high))
         width = np.where(x <= high, width, last)
     first = np.nextafter(low, math.inf)
 

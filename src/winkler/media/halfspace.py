@@ -19,6 +19,7 @@ from winkler.media.interior import subsurface
 from winkler.media.medium import Displacement, PunchFacts, exact_response, rigid_body
 from winkler.media.punch_field import BodyField
 from winkler.numerics.transforms import abel
+from winkler.numerics.transforms.abel_intervals import root_difference
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.values.checks.contract import offered
@@ -110,7 +111,7 @@ class HomogeneousMedium:
 
     def punch_pressure(self, r: Array, radius: Array) -> Array:
         """p1(r; a) = E* / (pi sqrt(a^2 - r^2)) [Pa/m]."""
-        return np.asarray(self.modulus / (np.pi * abel.root_difference(radius, r)))
+        return np.asarray(self.modulus / (np.pi * root_difference(radius, r)))
 
     def punch_facts(self, radius: float) -> PunchFacts:
         """No flat punch pulls, or lifts the surface, or sinks it beyond its own depth."""

@@ -20,6 +20,7 @@ import numpy as np
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.panels.log_panels import Octaves
 from winkler.numerics.transforms import abel
+from winkler.numerics.transforms.abel_intervals import root_difference
 from winkler.numerics.types import Array, Curve
 from winkler.profiles.designed import Designed
 from winkler.profiles.flat import CappedCylinder, FlatPunch
@@ -74,7 +75,7 @@ def line_load(profile: Profile, a: Array) -> Array:
         case Sum(parts=parts):
             return np.asarray(sum(line_load(part, a) for part in parts))
         case RoundedPunch(flat_radius=b, edge_radius=edge):
-            t = abel.root_difference(a, b) / b
+            t = root_difference(a, b) / b
             return np.asarray(b * b / edge * (t**3 / 3.0 - excess(t)[1]))
         case Wavy(amplitude=h, wavelength=length):
             return _of_wave(h, 2.0 * np.pi / length, a)[0]
@@ -101,7 +102,7 @@ def line_load_slope(profile: Profile, a: Array) -> Array:
         case Sum(parts=parts):
             return np.asarray(sum(line_load_slope(part, a) for part in parts))
         case RoundedPunch(flat_radius=b, edge_radius=edge):
-            return np.asarray(a / edge * np.arctan2(abel.root_difference(a, b), b))
+            return np.asarray(a / edge * np.arctan2(root_difference(a, b), b))
         case Wavy(amplitude=h, wavelength=length):
             return _of_wave(h, 2.0 * np.pi / length, a)[1]
         case Measured() | Designed():
@@ -213,6 +214,6 @@ def _of_spline(curve: Spline, a: Array) -> Array:
     chunk = max(1, 2_000_000 // max(inner.size, 1))
     for start in range(0, a.size if inner.size else 0, chunk):
         place = a[start : start + chunk, None]
-        root = abel.root_difference(place, inner)
+        root = root_difference(place, inner)
         total[start : start + chunk] += 2.0 * place[:, 0] * ((root - inner * np.arctan2(root, inner)) @ half_jumps)
     return np.asarray(total)

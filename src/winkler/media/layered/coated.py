@@ -47,6 +47,7 @@ from winkler.media.layered.wave_constants import Body
 from winkler.media.medium import Displacement, PunchFacts, exact_response, rigid_body
 from winkler.media.punch_field import BodyField
 from winkler.numerics.transforms import abel, fredholm
+from winkler.numerics.transforms.abel_intervals import root_difference
 from winkler.numerics.transforms.cosine_transform import SurfaceResponse, WaveResponse
 from winkler.numerics.transforms.odd_response import OddResponse
 from winkler.numerics.types import Array, Curve
@@ -133,9 +134,7 @@ class LayeredMedium:
 
     def punch_pressure(self, r: Array, radius: Array) -> Array:
         """p1(r; a) [Pa/m]."""
-        return np.asarray(
-            self.modulus / np.pi * fredholm.push(self.response, r, radius) / abel.root_difference(radius, r)
-        )
+        return np.asarray(self.modulus / np.pi * fredholm.push(self.response, r, radius) / root_difference(radius, r))
 
     def punch_facts(self, radius: float) -> PunchFacts:
         """Whether a flat punch up to this radius [m] pulls, and how the surface moves outside; sampled."""

@@ -18,7 +18,7 @@ from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.media.offers import offers
 from winkler.media.relaxing.by_waves import RelaxingByWaves
-from winkler.numerics.transforms import abel
+from winkler.numerics.transforms.abel_intervals import root_difference
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.line.approach import Place
 from winkler.problems.line.peak_pressure import peak_pressure
@@ -127,7 +127,7 @@ class LineViscoelasticState(OfWidth[float]):
         """Sum the strips between edges, whose load density is that of the profile times what is left of it."""
         middle, steep = densities
         inside = x[:, None] < edges
-        roots = np.where(inside, abel.root_difference(np.maximum(edges, x[:, None]), x[:, None]), 0.0)
+        roots = np.where(inside, root_difference(np.maximum(edges, x[:, None]), x[:, None]), 0.0)
         total = np.diff(roots, axis=1) @ steep
         if np.any(middle):
             with np.errstate(divide="ignore"):
