@@ -234,17 +234,12 @@ def test_relaxing_layers_slide_as_rings_of_elastic_ones():
     np.testing.assert_allclose(fast.loss_per_cycle, 5.0 * np.asarray(fifth.loss_per_cycle), rtol=1e-2)
 
 
-LAYERS = wk.ViscoelasticCoatedHalfSpace([wk.ViscoelasticLayer(STANDARD, 0.2)], wk.Elastic(1.0, 0.3))
 BAD = {
     "no frequency": (lambda: damped(ball(STANDARD)), "give the frequency in Hz"),
     "of elastic bodies": (lambda: damped(ball(wk.Elastic(1.0, 0.3)), frequency=2.0), "2 Hz.*leave it out"),
     "fluid": (lambda: damped(ball(Maxwell(1.0, 1.0)), frequency=1.0), "flows for ever"),
     "dashpot": (lambda: damped(ball(KelvinVoigt(1.0, 1.0)), frequency=1.0), "dashpot alongside"),
     "rings": (lambda: damped(ball(STANDARD), frequency=1.0, method=wk.Method.RINGS), "the method rings"),
-    "layers by laws of their own": (
-        lambda: damped(ball(STANDARD).with_medium(LAYERS), frequency=1.0),
-        "one relaxation function for all springs",
-    ),
 }
 
 
