@@ -234,6 +234,7 @@ def test_relaxing_layers_slide_as_rings_of_elastic_ones():
     np.testing.assert_allclose(fast.loss_per_cycle, 5.0 * np.asarray(fifth.loss_per_cycle), rtol=1e-2)
 
 
+LAYERS = wk.ViscoelasticCoatedHalfSpace([wk.ViscoelasticLayer(STANDARD, 0.2)], wk.Elastic(1.0, 0.3))
 BAD = {
     "no frequency": (lambda: damped(ball(STANDARD)), "give the frequency in Hz"),
     "of elastic bodies": (lambda: damped(ball(wk.Elastic(1.0, 0.3)), frequency=2.0), "2 Hz.*leave it out"),
