@@ -201,7 +201,8 @@ QUICK_CELLS = [
     ("torsion", "coated_half_space", "exact"),
     ("elliptic_indentation", "coated_half_space", "exact"),
     ("roller_contact", "coated_half_space", "exact"),
-    ("tangential", "viscoelastic_coated_half_space", "refused"),
+    ("tangential", "viscoelastic_coated_half_space", "approximate"),
+    ("sliding_resistance", "viscoelastic_coated_half_space", "refused"),
     ("surface_tangential", "viscoelastic_half_space", "approximate"),
 ]
 

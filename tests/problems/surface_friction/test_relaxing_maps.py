@@ -297,10 +297,7 @@ def test_a_step_that_friction_does_not_bear_is_refused_and_what_came_before_stan
         (wk.ViscoelasticHalfSpace(solid(), elastic(1.0)), "each by a function of its own"),
         (wk.ViscoelasticHalfSpace(solid(), wk.StandardSolid(1.0, 1.0, 2.0)), "each by a function of its own"),
         (wk.ViscoelasticHalfSpace(wk.KelvinVoigt(1.0, 1.0)), "a dashpot alongside"),
-        (
-            wk.ViscoelasticCoatedHalfSpace([wk.ViscoelasticLayer(solid(), 0.1)], on=elastic(1.0)),
-            "own relaxation function",
-        ),
+        (wk.PoroelasticFilm(0.1, 0.3, 1.0, 0.1), "leaves the film more slowly"),
     ],
 )
 def test_bodies_of_more_than_one_course_are_refused(medium, reason):

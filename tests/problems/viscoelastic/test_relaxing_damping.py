@@ -241,10 +241,6 @@ BAD = {
     "fluid": (lambda: damped(ball(Maxwell(1.0, 1.0)), frequency=1.0), "flows for ever"),
     "dashpot": (lambda: damped(ball(KelvinVoigt(1.0, 1.0)), frequency=1.0), "dashpot alongside"),
     "rings": (lambda: damped(ball(STANDARD), frequency=1.0, method=wk.Method.RINGS), "the method rings"),
-    "layers by laws of their own": (
-        lambda: damped(ball(STANDARD).with_medium(LAYERS), frequency=1.0),
-        "one relaxation function for all springs",
-    ),
 }
 
 

@@ -236,13 +236,9 @@ def test_solids_that_recover_are_touched_again():
     assert 0.0 < abs(result.shear_force[4]) < 0.05 * result.shear_force[5]
 
 
-FILM = wk.ViscoelasticCoatedHalfSpace([wk.ViscoelasticLayer(STANDARD, 0.1)], wk.Elastic(1.0, 0.3))
-
-
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        ({"bed": wk.Foundation(wk.Paraboloid(1.0), FILM)}, "one relaxation function"),
         ({"law": StaticKinetic(0.5, 0.3)}, "StaticKinetic"),
         ({"path": Depth(1.0)}, "path is a Depth"),
         ({"path": Path([0.0, 1.0], Depth(0.01), Angle(0.1))}, "prescribes a Angle"),

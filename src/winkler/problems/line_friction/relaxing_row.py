@@ -186,7 +186,13 @@ class RelaxingElementRow(ElementRow):
         bed: LineFoundation | LayeredLineFoundation, times: Array, forces: Array
     ) -> list[LineViscoelasticState]:
         """Return the contact without friction at all moments."""
-        return list(LineViscoelasticIndentation(bed, LineForcePath(times, forces), SPRINGS).steps())
+        problem, unit = LineViscoelasticIndentation(bed, LineForcePath(times, forces), SPRINGS), np.max(forces) or 1.0
+
+        def key(time: float, force: float) -> tuple[float, float]:  # cells bear a force to rounding
+            return time, round(force / unit, 9)
+
+        found = {key(state.time, state.force_per_length): state for state in problem.steps()}  # sudden ones: the last
+        return [found[key(*pair)] for pair in zip(times.tolist(), np.asarray(forces).tolist(), strict=True)]
 
     def _laid(self, rows: list[Array]) -> tuple[Array, Array, Array]:
         """Return which steps reach the points of the path, and times [s] and normal forces [N/m] of all steps."""

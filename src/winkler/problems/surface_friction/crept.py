@@ -52,9 +52,8 @@ class MapCreep:
             self.grid = TractionGrid.of(shape, aspect, compliance, periodic=periodic)
             pressed.append(soft * grid.response)
             pushed.append(soft * self.grid.along)
-        self.local, self.pressed, self.along = (
-            self.fit.terms(np.stack(answers)) for answers in (self.softer, pressed, pushed)
-        )
+        self.local = self.fit.terms(self.softer)
+        self.pressed, self.along = self.fit.terms(np.stack(pressed)), self.fit.terms(np.stack(pushed))
 
     def displaced(self, parts: Array) -> Array:
         """Return how far tractions of each term move the surface along ``(1 + k, 2, nx, ny)``."""

@@ -137,7 +137,7 @@ class LayeredDrag:
         """Return the cells after a time [s], pressed as they are at its end, and moved as far or as hard as a goal."""
         held, before = point.state.load, state.dragged.load
         bounds = self.friction * (held if self.shares is None else self.shares @ held)
-        bounds = np.where(held > 0.0, np.maximum(bounds, 0.0), 0.0)
+        bounds = np.asarray(np.where(held > 0.0, np.maximum(bounds, 0.0), 0.0))
         touches = bounds > 0.0
         carried = self.along.carried(state.dragged, span) / self.arm
         met = self._met(state, point, span, touches)
@@ -149,7 +149,7 @@ class LayeredDrag:
             )
         grid = self._grid(span)
         if not touches.any():
-            load, slips, moved = bounds, bounds, 0.0 * bounds
+            load = slips = moved = np.zeros(bounds.size)
             motion = state.motion if by_force else goal
         elif by_force and abs(goal) >= limit * (1.0 - ROUNDING):
             side = math.copysign(1.0, goal)

@@ -343,9 +343,12 @@ def _kept(state: DraggedLayers) -> list[Array]:
 def _with_kept(state: DraggedLayers, rows: list[Array]) -> DraggedLayers:
     """Return cells that bring other rows."""
     ahead, *rest = rows
-    one, two = (dict(zip(("load", "waves", "memory"), part, strict=True)) for part in (rest[:3], rest[3:]))
-    pressed = state.pressed._replace(state=state.pressed.state._replace(**one))
-    return state._replace(ahead=ahead, pressed=pressed, dragged=state.dragged._replace(**two))
+    both = state.pressed.state, state.dragged
+    pressed, dragged = (
+        cells._replace(load=part[0], waves=part[1], memory=part[2])
+        for cells, part in zip(both, (rest[:3], rest[3:]), strict=True)
+    )
+    return state._replace(ahead=ahead, pressed=state.pressed._replace(state=pressed), dragged=dragged)
 
 
 def _at_rest(row: DraggedRow, first: DragGoal, swing: Swing) -> DraggedSprings:
