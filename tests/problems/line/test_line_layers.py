@@ -421,7 +421,7 @@ def test_yield_onset_on_layers_refuses_sharp_tips_and_films_that_are_dragged_awa
     film = wk.SlidingFilm([wk.Layer(solid, 1.0)], on=solid)
     with pytest.raises(OutsideValidity, match="layer 1 slides on its base and carries no shear there"):
         wk.LineYieldOnset(wk.LayeredLineFoundation(CYLINDER, film), wk.Coulomb(0.1))
-    with pytest.raises(InvalidInput, match="no body has a strength"):
+    with pytest.raises(InvalidInput, match="no layer or body has a strength"):
         wk.LineYieldOnset(yielding_pair(SOLID, SOLID, 1.0))
     with pytest.raises(OutsideValidity, match="sharp tip"):
         wk.LineYieldOnset(yielding_pair(solid, solid, 1.0, WEDGE)).solve()

@@ -43,13 +43,15 @@ Share = Callable[[float, int], Placed]
 
 def refuse_without_strength(bed: LineFoundation | LayeredLineFoundation, name: str) -> None:
     """Refuse bodies that are not isotropic, or of which none has a strength."""
-    if not isinstance(bed, LayeredLineFoundation) and not isinstance(bed.medium, HalfSpace):
+    layered = isinstance(bed, LayeredLineFoundation)
+    if not layered and not isinstance(bed.medium, HalfSpace):
         raise InvalidInput(
             f"{name}: the medium is a {type(bed.medium).__name__}; stresses are compared with a strength in "
             "homogeneous, isotropic bodies only. Other bodies have no single strength. Give a HalfSpace."
         )
     if not strong_parts(bed.medium):
-        raise InvalidInput(f"{name}: no body has a strength; give Elastic(young, poisson, strength=...).")
+        which = "layer or body" if layered else "body"
+        raise InvalidInput(f"{name}: no {which} has a strength; give Elastic(young, poisson, strength=...).")
 
 
 def refuse_sharp(bed: LineBed, name: str) -> None:

@@ -148,9 +148,10 @@ def potential_of(bed: LineBed, strip: Strip, x: Array, z: Array) -> ComplexArray
     away, deep = np.abs(x).ravel(), z.ravel()
     found = np.where(np.isfinite(away + deep), 0.0, np.nan) * np.zeros((2, 1), dtype=complex)
     below, surface = np.isfinite(away) & (deep > 0.0) & (deep < np.inf), np.isfinite(away) & (deep == 0.0)
-    found[:, below] = bed.potential(away[below], deep[below], *strip)
-    found[1, below] *= deep[below]
-    found[0, surface] = bed.surface_potential(away[surface], *strip)
+    found[0, below], slope = bed.potential(away[below], deep[below], *strip)
+    found[1, below] = deep[below] * slope
+    if surface.any():
+        found[0, surface] = bed.surface_potential(away[surface], *strip)
     side = np.where(x.ravel() < 0.0, -1.0, 1.0)  # F(-conj(zeta)) = -conj(F(zeta))
     found[0].real *= side
     found[1].imag *= side
