@@ -11,9 +11,9 @@ from winkler.problems.line.layered_stress import greatest_in_part
 from winkler.problems.line.peak_pressure import is_sharp
 from winkler.problems.line.strip import Strip
 from winkler.problems.line.validity import shape_notes
+from winkler.problems.line.yield_statement import strip_yield_notes
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.unknown_yield import MISES
-from winkler.problems.normal.yield_statement import share_of
 from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["WAVES", "layered_notes", "strip_notes", "yield_notes"]
@@ -66,16 +66,11 @@ def yield_notes(bed: Any, half_width: float, rim_load: float, friction: float = 
     parts = strong_parts(bed.medium)
     if half_width == 0.0 or not parts:
         return ()
-    sharp = is_sharp(bed, half_width, rim_load)
     found = [(greatest_in_part(bed, Strip(half_width, rim_load), part, friction), part) for part in parts]
-    (level, x, z), part = max(found, key=lambda one: one[0].value / one[1].solid.strength)
-    share, x = level / part.solid.strength, x if abs(x) > SAME_PLACE * half_width else 0.0
-    place = f"{share_of(share, part)}, at x = {x:.3g} m, z = {z:.3g} m"
-    if share >= 1.0:
-        text = f"By von Mises' criterion yielding has begun: the elastic stress reaches {place}; it is not elastic."
-        return (Note(Assumption.ELASTIC, Standing.OUTSIDE, text, MISES),)
-    if sharp:
-        text = f"The stress is infinite at a sharp tip, kink or rim, which yields; away from there it is {place}."
-    else:
-        text = f"By von Mises' criterion the contact stays elastic: its greatest stress is {place}."
-    return (Note(Assumption.ELASTIC, Standing.APPROXIMATE, text, MISES),)
+    found = [(each if abs(each.x) > SAME_PLACE * half_width else each._replace(x=0.0), part) for each, part in found]
+    (note,) = strip_yield_notes(found, Standing.APPROXIMATE)
+    if is_sharp(bed, half_width, rim_load) and note.standing is not Standing.OUTSIDE:
+        place = note.statement.partition("stress is ")[2]
+        text = f"The stress is infinite at a sharp tip, kink or rim, which yields; away from there it is {place}"
+        return (Note(Assumption.ELASTIC, Standing.APPROXIMATE, text, MISES),)
+    return (note,)

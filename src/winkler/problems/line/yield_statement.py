@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -18,7 +19,7 @@ from winkler.problems.normal.unknown_yield import MISES
 from winkler.problems.normal.yield_statement import share_of
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["line_contact_notes", "line_yield_notes"]
+__all__ = ["line_contact_notes", "line_yield_notes", "strip_yield_notes"]
 
 WIDTH_SHARES = (0.25, 0.5, 0.75, 1.0)
 """Parts of the half-width that are examined where the profile may fall."""
@@ -81,20 +82,42 @@ def line_yield_notes(
         beyond = "" if share < 1.0 else ": the result is not elastic"
         standing = Standing.APPROXIMATE if share < 1.0 else Standing.OUTSIDE
         return (Note(Assumption.ELASTIC, standing, f"{sharp}{beyond}.", MISES),)
-    depth = place.z if part.first else -place.z
-    where = f"{share_of(share, part)}, at x = {place.x:.3g} m, z = {depth:.3g} m"
-    cylinder = bed.hertzian
-    onset = bed.medium.modulus * float(bed.load_profile(np.array([half_width]))[0]) / share**2
+    force = bed.medium.modulus * float(bed.load_profile(np.array([half_width]))[0])
+    return strip_yield_notes(found, Standing.EXACT, onset=force / share**2 if bed.hertzian else math.nan)
+
+
+def strip_yield_notes(
+    found: Sequence[tuple[tuple[float, float, float], StrongPart]],
+    standing: Standing,
+    near: str = "at",
+    onset: float = math.nan,
+) -> tuple[Note, ...]:
+    """Return whether the body that comes nearest to its strength stays elastic.
+
+    Parameters
+    ----------
+    found
+        The greatest stress [Pa] in each part, and its place x and z [m].
+    standing
+        Of an elastic contact.
+    near : str, optional
+        How well the place is known.
+    onset : float, optional
+        Force per length at which yielding begins [N/m], where it is known.
+    """
+    if not found:
+        return ()
+    (level, x, z), part = max(found, key=lambda one: one[0][0] / one[1].solid.strength)
+    share = level / part.solid.strength
+    where = f"{share_of(share, part)}, {near} x = {x:.3g} m, z = {math.copysign(z, 1.0 if part.first else -1.0):.3g} m"
     if share < 1.0:
-        begins = f"yielding begins at {onset:.4g} N/m; " if cylinder else ""
-        text = f"By von Mises' criterion {begins}the contact stays elastic: its greatest stress is {where}."
+        begins = "" if math.isnan(onset) else f"yielding begins at {onset:.4g} N/m; "
+        text = f"{begins}the contact stays elastic: its greatest stress is {where}"
     else:
-        began = f"began at {onset:.4g} N/m" if cylinder else "has begun"
-        text = (
-            f"By von Mises' criterion yielding {began}: the greatest elastic stress is {where}; the result is not "
-            "elastic."
-        )
-    return (Note(Assumption.ELASTIC, Standing.EXACT if share < 1.0 else Standing.OUTSIDE, text, MISES),)
+        began = "has begun" if math.isnan(onset) else f"began at {onset:.4g} N/m"
+        text = f"yielding {began}: the greatest elastic stress is {where}; the result is not elastic"
+        standing = Standing.OUTSIDE
+    return (Note(Assumption.ELASTIC, standing, f"By von Mises' criterion {text}.", MISES),)
 
 
 def _stress(bed: LineFoundation, half_width: float, rim_load: float, part: StrongPart, friction: float) -> Placed:

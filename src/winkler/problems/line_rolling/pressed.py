@@ -16,14 +16,13 @@ from winkler.numerics.types import Array
 from winkler.problems.line.greatest_stress import greatest
 from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.problems.line.stress import LineContact, LineFields, stresses
+from winkler.problems.line.yield_statement import strip_yield_notes
 from winkler.problems.normal.strong_parts import strong_parts
-from winkler.problems.normal.unknown_yield import MISES
-from winkler.problems.normal.yield_statement import share_of
 from winkler.problems.rolling.creepage import Creepage
 from winkler.profiles.power import Paraboloid
 from winkler.values.checks.field_checks import Condition
 from winkler.values.errors import InvalidInput, OutsideValidity
-from winkler.values.validity import Assumption, Note, Standing
+from winkler.values.validity import Note, Standing
 from winkler.values.value import value
 
 __all__ = [
@@ -142,20 +141,8 @@ def rolling_yield_notes(contact: LineSolution, friction: float, stick_share: flo
         mu = friction if part.first else -friction
         measure = RollingMises(stick_share, part.solid.poisson, mu)
         place = greatest(LineContact(bed, a, 0.0, part.solid.poisson, mu), measure)
-        found.append((place.value / part.solid.strength, place, part))
-    if not found:
-        return ()
-    share, place, part = max(found, key=lambda one: one[0])
-    depth = place.z if part.first else -place.z
-    where = f"{share_of(share, part)}, at x = {place.x:.3g} m, z = {depth:.3g} m"
-    if share < 1.0:
-        text, standing = f"the contact stays elastic: its greatest stress is {where}", Standing.EXACT
-    else:
-        text, standing = (
-            f"yielding has begun: the greatest elastic stress is {where}; the result is not elastic",
-            (Standing.OUTSIDE),
-        )
-    return (Note(Assumption.ELASTIC, standing, f"By von Mises' criterion {text}.", MISES),)
+        found.append((place, part))
+    return strip_yield_notes(found, Standing.EXACT)
 
 
 def refuse_unless_along(owner: str, drive: LineShearForce | Creepage) -> None:

@@ -9,10 +9,9 @@ from winkler.numerics.surfaces.strip_elements import linear_potential
 from winkler.numerics.types import Array
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.line.stress import LineFields
+from winkler.problems.line.yield_statement import strip_yield_notes
 from winkler.problems.line_rolling.rolled_strip import RolledStrip, creepage_error, loss_error
 from winkler.problems.normal.strong_parts import strong_parts
-from winkler.problems.normal.unknown_yield import MISES
-from winkler.problems.normal.yield_statement import share_of
 from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["FULL_COUPLING", "strip_note", "strip_stresses", "strip_yield_notes"]
@@ -71,21 +70,12 @@ def strip_note(strip: RolledStrip, slope: float) -> Note:
     )
 
 
-def strip_yield_notes(contact: LineSolution, strip: RolledStrip) -> tuple[Note, ...]:
+def rolled_yield_notes(contact: LineSolution, strip: RolledStrip) -> tuple[Note, ...]:
     """Return whether the body that comes nearest to its strength stays elastic, from stresses on a grid of places."""
     medium, a = contact.problem.bed.medium, float(contact.half_width)
     grid, found = [a * np.linspace(-1.2, 1.2, ACROSS), a * np.linspace(0.0, 1.5, DOWN)], []
     for part in strong_parts(medium):
         own = medium.modulus, part.solid.poisson, part.first
         top = highest(lambda *at, own=own: strip_stresses(strip, a, *own, *at).von_mises, grid, rounds=0)
-        found.append((top.value / part.solid.strength, *top.place, part))
-    if not found:
-        return ()
-    share, along, deep, part = max(found, key=lambda one: one[0])
-    where = f"{share_of(share, part)}, near x = {along:.3g} m, z = {deep if part.first else -deep:.3g} m"
-    if share < 1.0:
-        text, standing = f"the contact stays elastic: its greatest stress is {where}", Standing.APPROXIMATE
-    else:
-        text = f"yielding has begun: the greatest elastic stress is {where}; the result is not elastic"
-        standing = Standing.OUTSIDE
-    return (Note(Assumption.ELASTIC, standing, f"By von Mises' criterion {text}.", MISES),)
+        found.append(((top.value, *top.place), part))
+    return strip_yield_notes(found, Standing.APPROXIMATE, "near")

@@ -16,10 +16,10 @@ from winkler.problems.line.layered_notes import WAVES, yield_notes
 from winkler.problems.line.peak_pressure import is_sharp
 from winkler.problems.line.stress import LineContact, stresses
 from winkler.problems.line.strip import Strip
+from winkler.problems.line.yield_statement import strip_yield_notes
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.unknown_yield import MISES
 from winkler.problems.normal.validity import steepness_note
-from winkler.problems.normal.yield_statement import share_of
 from winkler.values.validity import Assumption, Note, Standing
 
 __all__ = ["closing_load", "periodic_notes", "periodic_peak"]
@@ -112,15 +112,8 @@ def _yield_notes(bed: PeriodicBed, strip: Strip) -> tuple[Note, ...]:
     for part in parts:
         contact = LineContact(cast(LineFoundation, bed), *strip, part.solid.poisson, 0.0)
         place = greatest(contact, von_mises) if closed else _on_grid(contact)
-        found.append((place.value / part.solid.strength, place, part))
-    share, place, part = max(found, key=lambda one: one[0])
-    depth = place.z if part.first else -place.z
-    where = f"{share_of(share, part)}, at x = {place.x:.3g} m, z = {depth:.3g} m"
-    stays = "By von Mises' criterion the contact stays elastic: its greatest stress is"
-    has = "By von Mises' criterion yielding has begun: the greatest elastic stress is"
-    text = f"{stays} {where}." if share < 1.0 else f"{has} {where}; the result is not elastic."
-    elastic = Standing.EXACT if closed else Standing.APPROXIMATE
-    return (Note(Assumption.ELASTIC, elastic if share < 1.0 else Standing.OUTSIDE, text, MISES),)
+        found.append((place, part))
+    return strip_yield_notes(found, Standing.EXACT if closed else Standing.APPROXIMATE)
 
 
 def _on_grid(contact: LineContact) -> Placed:

@@ -15,6 +15,7 @@ from winkler.numerics.types import Array
 from winkler.problems.line.greatest_stress import Placed
 from winkler.problems.line.layered_notes import WAVES
 from winkler.problems.line.validity import PALLOT
+from winkler.problems.line.yield_statement import strip_yield_notes
 from winkler.problems.line_strips.strip_fields import LineMedium, layers_below, middle_of, strip_fields, strip_waves
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.normal.unknown_yield import MISES
@@ -113,25 +114,16 @@ def _yield_notes(medium: LineMedium, found: FoundStrips) -> tuple[Note, ...]:
     if not parts:
         return ()
     places = [(_greatest(medium, found, part), part) for part in parts]
+    if not _sharp(found):
+        return strip_yield_notes(places, Standing.EXACT if found.refined else Standing.APPROXIMATE)
     place, part = max(places, key=lambda one: one[0].value / one[1].solid.strength)
     share = place.value / part.solid.strength
-    level, beyond = share_of(share, part), "" if share < 1.0 else ": the result is not elastic"
-    if _sharp(found):
-        text = (
-            "The elastic stress is infinite under a sharp crest or at a wall, which yields under the smallest load; "
-            f"{AWAY:g} half-widths below, the greatest von Mises stress is {level}{beyond}."
-        )
-        standing = Standing.APPROXIMATE
-    else:
-        depth = place.z if part.first else -place.z
-        where = f"{level}, at x = {place.x:.4g} m, z = {depth:.3g} m"
-        text = (
-            f"By von Mises' criterion the contact stays elastic: its greatest stress is {where}."
-            if share < 1.0
-            else f"By von Mises' criterion yielding has begun: the greatest elastic stress is {where}{beyond}."
-        )
-        standing = Standing.EXACT if found.refined else Standing.APPROXIMATE
-    return (Note(Assumption.ELASTIC, standing if share < 1.0 else Standing.OUTSIDE, text, MISES),)
+    beyond = "" if share < 1.0 else ": the result is not elastic"
+    text = (
+        "The elastic stress is infinite under a sharp crest or at a wall, which yields under the smallest load; "
+        f"{AWAY:g} half-widths below, the greatest von Mises stress is {share_of(share, part)}{beyond}."
+    )
+    return (Note(Assumption.ELASTIC, Standing.APPROXIMATE if share < 1.0 else Standing.OUTSIDE, text, MISES),)
 
 
 def _greatest(medium: LineMedium, found: FoundStrips, part: StrongPart) -> Placed:
