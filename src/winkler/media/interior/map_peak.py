@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -42,18 +42,6 @@ ROUNDS = 3
 """Boxes about a depth or a place."""
 
 
-class BelowMap(Protocol):
-    """Stresses below a map of loads (3, nx, ny) on pixels of some size."""
-
-    @property
-    def loads(self) -> Array: ...
-    @property
-    def pixel(self) -> tuple[float, float]: ...
-    def at_depth(self, z: float, count: int) -> Array: ...
-    def at_places(self, places: Array) -> Array: ...
-    def coarsened(self, times: int) -> BelowMap: ...
-
-
 class DeepStresses(NamedTuple):
     """Stresses of several kinds below a map.
 
@@ -73,7 +61,7 @@ class DeepStresses(NamedTuple):
 
 
 def greatest_below(
-    field: BelowMap,
+    field: Any,
     measures: Sequence[Measure] = (von_mises,),
     top: float = 0.0,
     bottom: float = math.inf,
@@ -87,7 +75,7 @@ def greatest_below(
 
     Parameters
     ----------
-    field
+    field : MapField, PeriodicMapField or MapInLayers
         With some load.
     measures : optional
         Of which kinds; von Mises' unless given.
@@ -166,7 +154,7 @@ def _starts(lines: Sequence[float], spots: Sequence[StressSpot], above: float) -
     return starts
 
 
-def _loaded_span(field: BelowMap) -> float:
+def _loaded_span(field: Any) -> float:
     """Return the longer side of the loaded part of a map."""
     loaded = np.any(field.loads != 0.0, axis=0)
     sides = [np.flatnonzero(loaded.any(axis=axis)) for axis in (1, 0)]
@@ -189,12 +177,12 @@ def _best_of(stress: Array, pixel: tuple[float, float], z: float) -> tuple[float
     return float(stress[i, j]), StressSpot(value, x, y, z)
 
 
-def _climbed(field: BelowMap, start: StressSpot, shallowest: float, measure: Measure) -> StressSpot:
+def _climbed(field: Any, start: StressSpot, shallowest: float, measure: Measure) -> StressSpot:
     """Return the greatest stress near a place: on means, then from there on the pixels themselves."""
     for times, step in ((max(1, int(start.z / (MEANS_PER_CLIMB * max(field.pixel)))), FIRST_STEP), (1, LAST_STEP)):
         part = field.coarsened(times) if times > 1 else field
 
-        def stress(*places: Array, part: BelowMap = part) -> Array:
+        def stress(*places: Array, part: Any = part) -> Array:
             return measure(Tensor(*part.at_places(np.stack(places, axis=1))[:STRESSES]))
 
         ends = [(-math.inf, math.inf), (-math.inf, math.inf), (shallowest, math.inf)]

@@ -50,7 +50,7 @@ from winkler.problems.line_rolling.rolled_strip import (
     rolled_strip,
     sliding_creepage,
 )
-from winkler.problems.line_rolling.strip_stresses import FULL_COUPLING, strip_note, strip_yield_notes
+from winkler.problems.line_rolling.strip_stresses import FULL_COUPLING, rolled_yield_notes, strip_note
 from winkler.problems.rolling.creepage import Creepage
 from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
@@ -286,5 +286,5 @@ class LineRollingSolution(UnderOneDrive[Q]):
     def _yield_notes(self, strip: RolledStrip) -> tuple[Note, ...]:
         """Return whether the bodies stay elastic; of layers, whose stresses are not known, if all slid."""
         if self.problem.bed.hertzian:
-            return strip_yield_notes(self.contact, strip)
+            return rolled_yield_notes(self.contact, strip)
         return slid_yield_notes(self.contact, self.problem.friction, 0.0)

@@ -69,7 +69,7 @@ def strip_note(strip: RolledStrip, slope: float) -> Note:
     )
 
 
-def strip_yield_notes(contact: LineSolution, strip: RolledStrip) -> tuple[Note, ...]:
+def rolled_yield_notes(contact: LineSolution, strip: RolledStrip) -> tuple[Note, ...]:
     """Return whether the body that comes nearest to its strength stays elastic, from stresses on a grid of places."""
     medium, a = contact.problem.bed.medium, float(contact.half_width)
     grid, found = [a * np.linspace(-1.2, 1.2, ACROSS), a * np.linspace(0.0, 1.5, DOWN)], []

@@ -100,9 +100,10 @@ class PressedMap(NamedTuple):
 
     def load(self, traction: tuple[float, float] = (0.0, 0.0)) -> SurfaceLoad:
         """Return what acts on the first body, dragged along x and y by these parts of the pressure."""
-        parts = [each * self.pressure for each in traction]
-        sides, pixel = np.array(self.pixel) * self.pressure.shape, np.array(self.pixel)
-        return SurfaceLoad(self.pressure, sides, *parts, np.array([self.x[0], self.y[0]]) - 0.5 * pixel)
+        (x_part, y_part), pixel = traction, np.array(self.pixel)
+        corner = np.array([self.x[0], self.y[0]]) - 0.5 * pixel
+        sides = pixel * self.pressure.shape
+        return SurfaceLoad(self.pressure, sides, x_part * self.pressure, y_part * self.pressure, corner)
 
     def contour(self, angles: ArrayLike) -> Array:
         """Return how far the contact reaches from the origin [m] along directions at angles to x [rad].

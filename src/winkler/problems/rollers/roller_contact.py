@@ -17,7 +17,6 @@ from typing import Annotated, ClassVar
 
 import numpy as np
 
-from winkler.foundation.line import LineFoundation
 from winkler.loading.loads import Depth, Force, Moment, Tilt
 from winkler.loading.path import numbers_of
 from winkler.media.halfspace import HomogeneousMedium
@@ -26,17 +25,12 @@ from winkler.numerics.surfaces.boxed_slender import Generator, SlenderContact, p
 from winkler.numerics.surfaces.pressed_slender import Pose
 from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import MAPPED
-from winkler.problems.line.layered_stress import greatest_in_part
-from winkler.problems.line.stress import Strip
-from winkler.problems.line.yield_statement import nearest_to_strength
 from winkler.problems.normal.map_yield import map_yield_notes
-from winkler.problems.normal.strong_parts import strong_parts
-from winkler.problems.normal.unknown_yield import MISES, unknown_yield
+from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.normal.validity import large_body_note, steepness_note
 from winkler.problems.pressed_shape.notes import PIXELS_ON_LAYERS, graded_notes
 from winkler.problems.pressed_shape.surface_load import SurfaceLoad
 from winkler.problems.rollers.roller_state import RollerNumbers, RollerState
-from winkler.profiles.power import Paraboloid
 from winkler.profiles.roller_ends import RollerEnds
 from winkler.values.checks.number_checks import Advice, Positive, Whole
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
@@ -275,7 +269,6 @@ class RollerSolution(RollerNumbers[Q]):
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted: grid, sharp ends, slopes, yield."""
         stated, last = self.problem, self.last
-        peak, middle = float(np.max(self.peak_pressure)), float(np.max(self.middle_pressure))
         growth = math.sqrt(max(1.0, float(np.max(self.force)) / last.force))  # where the last load is not the greatest
         bears = last.force_per_length > 0.0
         rise = np.diff(stated.ends.drop(last.edges, 0.5 * stated.length, stated.medium.modulus))
@@ -283,14 +276,12 @@ class RollerSolution(RollerNumbers[Q]):
         notes = roller_notes(
             stated.medium,
             stated.radius,
-            (peak, middle),
+            float(np.max(self.peak_pressure)),
             growth * float(np.max(last.half_width)),
             max(float(np.max(along[np.isfinite(along)], initial=0.0)), float(np.max(np.abs(self.tilt)))),
             float(np.max(self.grid_error)),
         )
-        if not isinstance(stated.medium, HomogeneousMedium):
-            return (*notes, *_yields_on_layers(stated.medium, last, growth))
-        return (*notes, *_yield_notes(stated.medium, stated.radius, peak, middle))
+        return (*notes, *_yield_notes(stated.medium, last, growth))
 
 
 HARTNETT = "M. J. Hartnett, J. Lubr. Technol. 101 (1979) 105-109, doi:10.1115/1.3453270"
@@ -311,7 +302,7 @@ EDGES_ON_LAYERS = Note(
 )
 LAST_LOAD = "pressures are stored of the last load, which is not the greatest"
 PIXELS_ALONG = 256
-"""Along the roller, on which pressures are averaged for stresses in layers."""
+"""Along the roller, on which pressures are averaged for stresses below."""
 FINE, COARSE = 0.02, 0.1
 """Change from half as many elements up to which results count as fine, and as coarse."""
 
@@ -319,7 +310,7 @@ FINE, COARSE = 0.02, 0.1
 def roller_notes(
     medium: MappedMedium,
     radius: float,
-    pressures: tuple[float, float],
+    peak_pressure: float,
     half_width: float,
     slope: float,
     grid_error: float,
@@ -332,8 +323,8 @@ def roller_notes(
         Both bodies.
     radius
         Of the roller across [m].
-    pressures
-        The greatest one, infinite at sharp ends, and that in the middle [Pa].
+    peak_pressure
+        The greatest one [Pa], infinite at sharp ends.
     half_width
         The greatest one [m].
     slope
@@ -370,7 +361,7 @@ def roller_notes(
         steepness_note(max(half_width / radius, slope)),
         large_body_note(half_width / radius, strip=True),
     ]
-    if math.isinf(pressures[0]):
+    if math.isinf(peak_pressure):
         notes.append(
             Note(
                 Assumption.SHAPE,
@@ -384,7 +375,7 @@ def roller_notes(
     return tuple(notes)
 
 
-def _yields_on_layers(medium: MappedMedium, last: RollerState, growth: float) -> tuple[Note, ...]:
+def _yield_notes(medium: MappedMedium, last: RollerState, growth: float) -> tuple[Note, ...]:
     """Return whether bodies stay elastic below the pressures of a roller, averaged over pixels of one length."""
     if growth > 1.0 or math.isinf(last.peak_pressure):
         return unknown_yield(medium, LAST_LOAD if growth > 1.0 else "the elastic stress is infinite at sharp ends")
@@ -396,26 +387,3 @@ def _yields_on_layers(medium: MappedMedium, last: RollerState, growth: float) ->
     pressure = np.diff(shares, axis=0) * (PIXELS_ALONG / length)
     corner = np.array([edges[0], -0.5 * width])
     return map_yield_notes(medium, SurfaceLoad(pressure, np.array([length, width]), corner=corner))
-
-
-def _yield_notes(medium: MappedMedium, radius: float, peak: float, middle: float) -> tuple[Note, ...]:
-    """Return whether the most loaded slice stays elastic, taken as an endless line contact of the same pressure."""
-    parts = strong_parts(medium)
-    sharp = math.isinf(peak)
-    pressure = middle if sharp else peak
-    if not parts or pressure == 0.0:
-        return ()
-    bed = LineFoundation(Paraboloid(radius), medium)
-    half_width = 2.0 * radius * pressure / medium.modulus
-    strip = Strip(half_width, 0.0)
-    share, where = nearest_to_strength((greatest_in_part(bed, strip, part, 0.0), part) for part in parts)
-    if sharp:
-        text = f"A sharp end yields under any load; in the middle of the roller the von Mises stress is {where}"
-    else:
-        text = (
-            "The most loaded slice, treated as an infinite line contact of the same maximum pressure, has a von "
-            f"Mises stress of {where}. This is an estimate"
-        )
-    beyond = "" if share < 1.0 else ": the result is not elastic"
-    standing = Standing.APPROXIMATE if share < 1.0 else Standing.OUTSIDE
-    return (Note(Assumption.ELASTIC, standing, f"{text}{beyond}.", MISES),)

@@ -4,20 +4,21 @@ from __future__ import annotations
 
 import functools
 import math
+from typing import Any
 
 import numpy as np
 
 from winkler.loading.loads import Force
-from winkler.media.interior.map_field import MapField
 from winkler.media.interior.map_peak import greatest_below
 from winkler.media.interior.peak import StressSpot
 from winkler.media.interior.rectangle import STRESSES
 from winkler.media.interior.tensor import Measure, Tensor, von_mises
-from winkler.media.layered.map_interior import MapInLayers
 from winkler.numerics.types import Array
 from winkler.problems.normal.elliptic import pressed_ellipse
+from winkler.problems.normal.map_yield import field_below
 from winkler.problems.normal.strong_parts import StrongPart
 from winkler.problems.pressed_shape.pressed_map import PressedMap
+from winkler.problems.pressed_shape.surface_load import SurfaceLoad
 from winkler.profiles.ellipse import CurvedBodies
 from winkler.values.errors import OutsideValidity
 
@@ -74,8 +75,8 @@ class EllipseInLayers:
 
     def __init__(self, bodies: CurvedBodies, medium: object, traction: tuple[float, float]) -> None:
         self.bodies, self.medium, self.traction = bodies, medium, traction
-        self.kept: dict[float, tuple[PressedMap, PressedMap]] = {}
-        self.inside: dict[bool, MapInLayers] = {}
+        self.kept: dict[float, list[SurfaceLoad]] = {}
+        self.inside: dict[bool, Any] = {}
         self.levels: dict[tuple[bool, float], Array] = {}
 
     def greatest(
@@ -101,37 +102,32 @@ class EllipseInLayers:
         coarse : bool, optional
             On the map of half as many pixels along a side.
         """
-        pressed = self._map(force, coarse)
-        middle = [0.5 * size * side for size, side in zip(pressed.pressure.shape, pressed.pixel, strict=True)]
+        load = self._load(force, coarse)
         if part.first:
             below = functools.partial(self._stresses, coarse)
             found = greatest_below(self._below(coarse), [measure], part.top, part.bottom, near=near, at_depth=below)
         else:
-            loads = np.multiply.outer([1.0, *self.traction], pressed.pressure)
-            found = greatest_below(MapField(loads, pressed.pixel, part.solid.poisson), [measure], climbed=True)
-        (spot,) = found.greatest
-        sign = 1.0 if part.first else -1.0
-        return StressSpot(spot.value, spot.x - middle[0], spot.y - middle[1], sign * spot.z)
+            found = greatest_below(load.field(part.solid.poisson), [measure], climbed=True)
+        value, x, y, z = found.greatest[0]
+        return StressSpot(value, x + load.corner[0], y + load.corner[1], z if part.first else -z)
 
     def at_depth(self, force: float, z: float, measure: Measure) -> float:
         """Return the greatest stress of a kind [Pa] at a depth z >= 0 [m] in the first body, on the coarse map."""
-        self._map(force, True)
+        self._load(force, True)
         return float(np.max(measure(Tensor(*self._stresses(True, z)))))
 
-    def _map(self, force: float, coarse: bool) -> PressedMap:
-        """Return the pressures under a force, and keep them with the stresses below them until another is given."""
+    def _load(self, force: float, coarse: bool) -> SurfaceLoad:
+        """Return what acts under a force, and keep it with the stresses below it until another is given."""
         if force not in self.kept:
-            self.kept = {force: self._pressed(force)}
+            self.kept = {force: [each.load(self.traction) for each in self._pressed(force)]}
             self.inside, self.levels = {}, {}
         return self.kept[force][0 if coarse else 1]
 
-    def _below(self, coarse: bool) -> MapInLayers:
+    def _below(self, coarse: bool) -> Any:
         """Return the layers below the pressures that are kept."""
         if coarse not in self.inside:
-            (both,) = self.kept.values()
-            pressed = both[0 if coarse else 1]
-            loads = np.multiply.outer([1.0, *self.traction], pressed.pressure)
-            self.inside[coarse] = MapInLayers(self.medium, loads, pressed.pixel)  # type: ignore[arg-type]
+            ((rough, fine),) = self.kept.values()
+            self.inside[coarse], _ = field_below(rough if coarse else fine, self.medium)  # type: ignore[arg-type]
         return self.inside[coarse]
 
     def _stresses(self, coarse: bool, z: float) -> Array:
