@@ -101,7 +101,16 @@ def test_the_search_for_tricks_finds_them():
 LISTED = ("numerics/", "plot/", "study/")
 """Packages without lists of names: `__all__` stands where a module passes on names of others."""
 
-LISTED_STILL = {"numerics/equations/highest.py", "numerics/pixels/mixed.py", "numerics/springs/rate_fit.py"}
+LISTED_STILL = {
+    "numerics/equations/highest.py",
+    "numerics/equations/roots.py",
+    "numerics/pixels/layered.py",
+    "numerics/pixels/mixed.py",
+    "numerics/springs/rate_fit.py",
+    "plot/fitting/curve_events.py",
+    "plot/registered.py",
+}
+"""Which had a list when the others lost theirs."""
 
 
 def names_listed(text: str) -> tuple[set[str], set[str]]:

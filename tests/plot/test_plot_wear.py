@@ -1,10 +1,13 @@
 """Sheets of wear show what they say."""
 
+from __future__ import annotations
+
 import numpy as np
 import pytest
 
 import winkler as wk
-from winkler.plot import draw
+from winkler.plot import draw, sheet_of
+from winkler.plot.wear.wear import moment_panels
 
 STEEL = wk.Elastic(young=210e9, poisson=0.3)
 MEDIUM = wk.HalfSpace.between(STEEL, STEEL)
@@ -67,3 +70,41 @@ def test_sheets_have_no_extent():
     limit = wk.LimitingProfile(BED, FRICTION, DEPTH, SWING).solve()
     with pytest.raises(wk.InvalidInput, match="have no extent"):
         draw(limit, extent=1e-3)
+
+
+STRIP = wk.LineFoundation(wk.Paraboloid(10e-3), MEDIUM)
+PRESS, SHEAR = wk.LineForce(100e3), wk.LineShearForce(30e3)
+BOTH = wk.PairWear(wk.Archard(1e-14), wk.Archard(3e-14))
+
+
+@pytest.fixture(scope="module")
+def fretted():
+    return wk.LineFrettingWear(STRIP, BOTH, FRICTION, PRESS, SHEAR, np.array([0.0, 1e3, 1e5]), count=40).solve()
+
+
+def test_a_fretted_strip_shows_profiles_pressures_and_both_volumes(fretted):
+    panels = sheet_of(fretted).panels
+    assert len(panels) == 6
+    profile, depth, _, widths, volumes, _ = panels
+    assert np.max(profile.marks[0].x) <= 1.35 * fretted.half_width[-1]
+    np.testing.assert_array_equal(np.max(depth.marks[-1].y), fretted.worn_depth[-1])
+    np.testing.assert_array_equal(widths.marks[0].y, fretted.half_width)
+    np.testing.assert_array_equal(widths.marks[1].y, fretted.stick_half_width)
+    np.testing.assert_array_equal(volumes.marks[1].y, fretted.second_volume_per_length)
+    assert profile.across.label == "$x$"
+
+
+def test_a_state_and_a_moment_of_a_strip_have_their_pictures(fretted):
+    assert len(sheet_of(fretted.states[-1]).panels) == 3
+    profile, _, pressure = moment_panels(fretted.states, 1)
+    np.testing.assert_allclose(profile.marks[1].y, STRIP.profile.height(profile.marks[1].x))
+    assert pressure.marks
+
+
+def test_a_strip_that_slides_and_its_limit_have_theirs():
+    slid = wk.LineSlidingWear(STRIP, wk.Archard(1e-14), PRESS, np.array([0.0, 0.1]), count=40).solve()
+    np.testing.assert_array_equal(sheet_of(slid).panels[-1].marks[0].y, slid.mean_pressure)
+    limit = wk.LineLimitingProfile(STRIP, FRICTION, PRESS, SHEAR).solve()
+    _, depth, pressure = sheet_of(limit).panels
+    assert np.max(depth.marks[0].y) == pytest.approx(limit.worn_depth, rel=1e-3)
+    assert np.max(pressure.marks[1].x) < limit.stick_half_width

@@ -15,6 +15,8 @@ from winkler.plot.panel import Band, Line, Panel, PanelAxis, Rule, Sheet, Text, 
 from winkler.plot.series import Series
 from winkler.values.vocabulary import Word
 
+__all__ = ["curve_sheet"]
+
 COLOURS = {
     EventKind.LOADING: style.BLUE,
     EventKind.HOLD: style.ORANGE,
