@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Sheet, among, titled
@@ -20,10 +21,13 @@ from winkler.problems.wear.sliding import SlidingSolution
 from winkler.problems.wear.states import FrettingState, WearState, WornState
 
 __all__ = [
+    "FLAT_SHARE",
     "POINTS",
-    "PRESSURE_CEILING",
     "RADII_DRAWN",
+    "cycles_sheet",
+    "distances_sheet",
     "fretting_sheet",
+    "limit",
     "limiting_sheet",
     "moment_panels",
     "one_state",
@@ -41,6 +45,8 @@ MOST_IN_COLUMN = 4
 RADII_DRAWN = 1.35
 """Extent of the pictures in contact radii."""
 POINTS = 400
+FLAT_SHARE = np.sin(0.5 * np.pi * np.linspace(0.0, 1.0, POINTS))[:-1]
+"""Places in a contact, over its radius or half-width, dense towards its edge."""
 PRESSURE_CEILING, CORE_CEILING = 3.0, 2.0
 """Greatest drawn pressure over its mean, and over that below which half of the load is carried; it is infinite at the
 edge of a core or a punch."""
@@ -49,30 +55,55 @@ edge of a core or a punch."""
 @without_extent(FrettingSolution)
 def fretting_sheet(item: FrettingSolution) -> Sheet:
     """Return worn profiles and pressures after growing numbers of cycles, and radii, volume and loads over them."""
+    steady = np.ptp(item.force) <= 1e-6 * np.max(item.force)
+    name, title = ("depth", "depth") if steady else ("force", "normal force")
+    return cycles_sheet(item, "radius", "", name, title)
+
+
+def cycles_sheet(item: Any, wide: str, ending: str, name: str, title: str) -> Sheet:
+    """Return worn profiles and pressures after growing numbers of cycles, and numbers over them.
+
+    Parameters
+    ----------
+    item : FrettingSolution or LineFrettingSolution
+    wide : str
+        Name of the radius or half-width.
+    ending : str
+        Of the names of worn volumes.
+    name, title : str
+        What the last panel shows.
+    """
     cycles = series_of(item, "cycles")
     names = [f"{count:,.0f}" if count >= 10 or count == 0 else f"{count:.2g}" for count in item.cycles]
-    steady = np.ptp(item.force) <= 1e-6 * np.max(item.force)
-    both = bool(np.any(item.second_volume > 0.0))
+    both = bool(np.any(getattr(item, f"second_volume{ending}") > 0.0))
     volumes = ("first_volume", "second_volume") if both else ("worn_volume",)
-    below = titled(
-        (
-            over_elapsed(cycles, [series_of(item, "radius"), series_of(item, "stick_radius")], "radius"),
-            over_elapsed(cycles, [series_of(item, name) for name in volumes], "worn volume" if both else ""),
-            over_elapsed(cycles, [series_of(item, "depth" if steady else "force")]),
-        ),
-        "contact and core",
-        "worn volume",
-        "depth" if steady else "normal force",
+    below = (
+        over_elapsed(cycles, [series_of(item, wide), series_of(item, f"stick_{wide}")], wide.replace("_", "-")),
+        over_elapsed(cycles, [series_of(item, f"{one}{ending}") for one in volumes], "worn volume" if both else ""),
+        over_elapsed(cycles, [series_of(item, name)]),
     )
-    return Sheet((*state_panels(item.states, names, "cycles"), *below), 3, width=3.9)
+    shown = (*state_panels(item.states, names, "cycles"), *titled(below, "contact and core", "worn volume", title))
+    return Sheet(shown, 3, width=3.9)
 
 
 @without_extent(SlidingSolution)
 def sliding_sheet(item: SlidingSolution) -> Sheet:
     """Return worn profiles and pressures after growing distances, and contact, volume and pressure over them."""
+    return distances_sheet(item, "radius", "worn_volume")
+
+
+def distances_sheet(item: Any, *names: str) -> Sheet:
+    """Return worn profiles and pressures after growing distances, and contact, volume and pressure over them.
+
+    Parameters
+    ----------
+    item : SlidingSolution or LineSlidingSolution
+    names : str
+        Of the radius or half-width, and of the worn volume.
+    """
     distance = series_of(item, "distance")
     above = state_panels(item.states, [with_unit(far, "m", 3) for far in item.distance.tolist()], "distance")
-    below = (over_elapsed(distance, [series_of(item, name)]) for name in ("radius", "worn_volume", "mean_pressure"))
+    below = (over_elapsed(distance, [series_of(item, name)]) for name in (*names, "mean_pressure"))
     return Sheet((*above, *titled(below, "contact", "worn volume", "mean pressure")), 3, width=3.9)
 
 
@@ -90,27 +121,55 @@ def limiting_sheet(item: LimitingSolution) -> Sheet:
     ring = c + (end - c) * np.linspace(0.0, 1.0, POINTS) ** 2
     r = np.unique(np.concatenate([np.linspace(0.0, reach, POINTS), ring]))
     before, worn = bed.height(r), item.worn(r)
-    share = np.sin(0.5 * np.pi * np.linspace(0.0, 1.0, POINTS))[:-1]
     pressed = item.problem.contact
-    radius = float(pressed.radius)
-    first: dict[str, Any] = {"name": "before wear", "colour": style.MUTED, "dash": style.DASHES[1]}
-    last: dict[str, Any] = {"name": "in the end"}
-    start, stop = bed.medium.pressure(pressed.pressed, radius * share), item.pressure(c * share)
-    panels = (
-        rows_panel("height", [Line(r, before, **first), Line(r, before + worn, **last)]),
-        rows_panel("worn", [Line(r, worn, style.RED, name="worn off")]),
-        rows_panel(
-            "pressure",
-            [Line(radius * share, start, **first), Line(c * share, stop, **last)],
-            most=PRESSURE_CEILING * float(pressed.mean_pressure),
-        ),
-    )
-    core = Rule(c, upright=True, width=0.9, dash=style.DOTTED, name="core")
+    inside = float(pressed.radius) * FLAT_SHARE
     title = (
         f"$c$ = {with_unit(c, 'm')}   $a_\\infty$ = {with_unit(end, 'm')}   $V$ = {with_unit(item.worn_volume, 'm^3')}"
     )
-    chosen_states = titled((panel.plus(core, legend="best") for panel in panels), "profile", "worn depth", "pressure")
-    return Sheet(chosen_states, width=3.9, title=title)
+    first, last = (
+        Line(inside, bed.medium.pressure(pressed.pressed, inside)),
+        Line(c * FLAT_SHARE, item.pressure(c * FLAT_SHARE)),
+    )
+    return limit(Line(r, before), worn, first, last, c, float(pressed.mean_pressure), title)
+
+
+def limit(
+    before: Line, worn: Array, first: Line, last: Line, core: float, mean: float, title: str, kind: type = WearState
+) -> Sheet:
+    """Return profiles before wear and in the limit, the worn depth, and the pressure before and in the limit.
+
+    Parameters
+    ----------
+    before : Line
+        Profile before wear.
+    worn : ndarray
+        Worn depth at its places [m].
+    first, last : Line
+        Pressure before wear and in the limit.
+    core : float
+        Radius or half-width that sticks [m].
+    mean : float
+        Mean pressure before wear [Pa].
+    title : str
+    kind : type
+        Of the states.
+    """
+    start: dict[str, Any] = {"name": "before wear", "colour": style.MUTED, "dash": style.DASHES[1]}
+    end: dict[str, Any] = {"name": "in the end"}
+    x, height = before.x, before.y
+    panels = (
+        rows_panel("height", [Line(x, height, **start), Line(x, height + worn, **end)], kind),
+        rows_panel("worn", [Line(x, worn, style.RED, name="worn off")], kind),
+        rows_panel(
+            "pressure",
+            [Line(first.x, first.y, **start), Line(last.x, last.y, **end)],
+            kind,
+            most=PRESSURE_CEILING * mean,
+        ),
+    )
+    rule = Rule(core, upright=True, width=0.9, dash=style.DOTTED, name="core")
+    shown = titled((panel.plus(rule, legend="best") for panel in panels), "profile", "worn depth", "pressure")
+    return Sheet(shown, width=3.9, title=title)
 
 
 def one_state(item: WornState, elapsed: float, by_cycles: bool) -> Sheet:
