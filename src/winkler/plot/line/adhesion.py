@@ -7,10 +7,10 @@ import numpy as np
 from winkler.plot import style
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import checked_extent
-from winkler.plot.line.contact import across, flat, mirrored, surface_panel
+from winkler.plot.line.contact import across, flat, mirrored, pressure_across, surface_panel
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, titled, zero
 from winkler.plot.rough.roughness import models_panel
-from winkler.plot.series import places, scale_of, series, with_unit
+from winkler.plot.series import scale_of, series, with_unit
 from winkler.problems.line.adhesion import LineAdhesionSolution
 
 __all__ = ["line_adhesion_sheet"]
@@ -35,10 +35,7 @@ def line_adhesion_sheet(item: LineAdhesionSolution, *, extent: float | None = No
 
 def _pressure_panel(item: LineAdhesionSolution, end: float) -> Panel:
     a = float(item.half_width)
-    marks = (a, *(b for b, _ in item.problem.bed.kinks if b < end)) if a > 0.0 else ()
-    x = places(end, marks, count=401)
-    pressure = item.pressure(x)
-    finite = np.where(np.isfinite(pressure), pressure, np.nan)
+    x, finite = pressure_across(item, end, 401)
     middle = finite[x < 0.5 * a] if a > 0.0 else finite
     level = float(np.nanmax(np.abs(middle))) or 1.0
     drawn = series("pressure", np.clip(finite, -PULL_DRAWN * level, PULL_DRAWN * level))

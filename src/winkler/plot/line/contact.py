@@ -9,6 +9,7 @@ import numpy as np
 from winkler.loading.loads import HalfWidth
 from winkler.materials.elastic import Elastic
 from winkler.media.layered.coated import CoatedHalfSpace
+from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import checked_extent
@@ -22,7 +23,7 @@ from winkler.problems.line.layered_approach import has_depth
 from winkler.problems.line.shakedown import LineShakedownSolution
 from winkler.problems.line.yielding import LineYieldOnsetSolution
 
-__all__ = ["across", "flat", "line_sheet", "line_yield_sheet", "mirrored", "surface_panel"]
+__all__ = ["across", "flat", "line_sheet", "line_yield_sheet", "mirrored", "pressure_across", "surface_panel"]
 
 ACROSS, DOWN = 81, 49
 """Places of a map of stresses."""
@@ -97,12 +98,17 @@ def across(end: float) -> PanelAxis:
     return PanelAxis("$x$", scale_of("m", [end]), low=-end, high=end)
 
 
-def _pressure_panel(item: LineSolution, end: float) -> Panel:
+def pressure_across(item: Any, end: float, count: int) -> tuple[Array, Array]:
+    """Return places across a strip up to `end` [m], and the pressure there [Pa], not a number where it is infinite."""
     a = float(item.half_width)
     marks = (a, *(b for b, _ in item.problem.bed.kinks if b < end)) if a > 0.0 else ()
-    x = places(end, marks, count=241)
+    x = places(end, marks, count=count)
     pressure = item.pressure(x)
-    finite = np.where(np.isfinite(pressure), pressure, np.nan)
+    return x, np.where(np.isfinite(pressure), pressure, np.nan)
+
+
+def _pressure_panel(item: LineSolution, end: float) -> Panel:
+    x, finite = pressure_across(item, end, 241)
     drawn = series("pressure", finite)
     infinite = not np.isfinite(item.peak_pressure)
     most = float(np.nanpercentile(finite, CLIPPED) if infinite else np.nanmax(finite))
