@@ -52,6 +52,7 @@ def draw(
     """
     from winkler.fields.restoration import SubsurfaceFields
     from winkler.io.whole_file import write_whole
+    from winkler.plot.animation import FILMS, animated
     from winkler.plot.normal.stresses import interface_rules
     from winkler.plot.picture_file import picture_file
     from winkler.plot.registered import sheet_of_kind
@@ -64,35 +65,25 @@ def draw(
             f"draw: the part '{part}' is not known{suggest(part, PARTS)}; give one of {', '.join(PARTS)}."
         )
     path = output or Path(f"{study.stem}-{part}.{'gif' if part == 'film' else 'png'}")
-    if part == "film":
-        _write_film(study, settings, point, path, overwrite)
-        return
-    if path.suffix.lstrip(".").lower() not in PICTURES:
-        endings = ", ".join(f".{ending}" for ending in PICTURES)
-        raise InvalidInput(f"draw: '{path}' does not end like a picture; give {endings}.")
+    film, form = part == "film", path.suffix.lstrip(".").lower()
+    allowed, between = (FILMS, " or .") if film else (PICTURES, ", .")
+    if form not in allowed:
+        kind = "film" if film else "picture"
+        raise InvalidInput(f"draw: '{path}' does not end like a {kind}; give .{between.join(allowed)}.")
     refuse_existing(path, overwrite, "draw: ")
     answer = _solved(read_study(study, settings=settings or ()), point)
+    if film:
+        from winkler.web.pictures.frames import frames_of
+
+        write_whole({path: animated(frames_of(answer), form=form)})
+        write_line(f"Written {path}")
+        return
     item = _drawn_value(answer, part, load)
     sheet = sheet_of_kind(item)
     if isinstance(item, SubsurfaceFields) and min(item.r.shape) > 1:
         rules = interface_rules(item, answer.problem.bed.medium)
         sheet = dataclasses.replace(sheet, panels=(sheet.panels[0].plus(*rules),))
-    write_whole({path: picture_file(sheet, path.suffix[1:].lower())})
-    write_line(f"Written {path}")
-
-
-def _write_film(study: Path, settings: list[str] | None, point: int, path: Path, overwrite: bool) -> None:
-    from winkler.io.whole_file import write_whole
-    from winkler.plot.animation import FILMS, animated
-    from winkler.study.language.reading import read_study
-    from winkler.values.errors import InvalidInput
-    from winkler.web.pictures.frames import frames_of
-
-    form = path.suffix.lower().removeprefix(".")
-    if form not in FILMS:
-        raise InvalidInput(f"draw: '{path}' does not end like a film; give .{' or .'.join(FILMS)}.")
-    refuse_existing(path, overwrite, "draw: ")
-    write_whole({path: animated(frames_of(_solved(read_study(study, settings=settings or ()), point)), form=form)})
+    write_whole({path: picture_file(sheet, form)})
     write_line(f"Written {path}")
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,7 +16,7 @@ from winkler.plot.panel import Band, Line, Panel, PanelAxis, Rule, Sheet, Text, 
 from winkler.plot.series import Series
 from winkler.values.vocabulary import Word
 
-__all__ = ["curve_sheet"]
+__all__ = ["curve_sheet", "phases_over_time"]
 
 COLOURS = {
     EventKind.LOADING: style.BLUE,
@@ -56,7 +57,7 @@ def curve_sheet(curve: ForceCurve) -> Sheet:
     """
     events = curve.events
     phases = _phases(events, curve.count)
-    panels = _over_time(curve, phases, events), _over_position(curve, phases, events)
+    panels = phases_over_time(curve, phases, COLOURS, events), _over_position(curve, phases, events)
     return Sheet(titled(panels, "what was done", "force over position"), width=5.0, height=3.7)
 
 
@@ -77,8 +78,21 @@ def _phases(events: CurveEvents, count: int) -> list[_Phase]:
     ]
 
 
-def _over_time(curve: ForceCurve, phases: list[_Phase], events: CurveEvents) -> Panel:
-    """Return the force over time, or over the number of the point, with its phases shaded and named."""
+def phases_over_time(
+    curve: ForceCurve, phases: Iterable[Any], colours: Mapping[Any, str], events: CurveEvents | None = None
+) -> Panel:
+    """Return the force over time, or over the number of the point, with its phases shaded and named.
+
+    Parameters
+    ----------
+    curve : ForceCurve
+    phases : iterable
+        With a kind, and indices of the first and last point.
+    colours : mapping
+        Of kinds.
+    events : CurveEvents, optional
+        Marked on the curve.
+    """
     order = (
         Series("time", Word("t", "s", "time"), curve.time - curve.time[0])
         if curve.timed
@@ -91,12 +105,12 @@ def _over_time(curve: ForceCurve, phases: list[_Phase], events: CurveEvents) -> 
     look: dict[str, Any] = {"upright": "top", "size": 8.0, "turned": True, "framed": (False, True)}
     for phase in phases:
         start, end = along[phase.first], along[min(phase.last + 1, curve.count - 1)]
-        marks.append(Band(start, end, COLOURS[phase.kind], 0.16))
+        marks.append(Band(start, end, colours[phase.kind], 0.16))
         if end - start > LEAST_LABELLED_SHARE * span:
             name = "baseline" if "baseline" in phase.kind.value else phase.kind.value
             marks.append(Text(0.5 * (start + end), 0.98, name, **look))
     marks.append(Line(along, force.content, style.INK, width=1.0, coarse=curve.count > MOST_DOTS))
-    marks += _event_marks(events, along, force.content, named=False)
+    marks += _event_marks(events, along, force.content, named=False) if events else ()
     return Panel(tuple(marks), PanelAxis.of(order), PanelAxis.of(force, headroom=HEADROOM))
 
 

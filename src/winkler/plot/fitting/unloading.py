@@ -12,7 +12,8 @@ from winkler.fitting.unloading.oliver_pharr import OliverPharrSolution
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
-from winkler.plot.panel import Band, Line, Panel, PanelAxis, Rule, Sheet, Text, titled
+from winkler.plot.fitting.curve_events import phases_over_time
+from winkler.plot.panel import Band, Line, Panel, PanelAxis, Rule, Sheet, titled
 from winkler.plot.series import Series
 from winkler.values.vocabulary import Word
 
@@ -22,10 +23,6 @@ COLOURS = {
     SegmentKind.PARTIAL_UNLOADING: style.SKY,
     SegmentKind.LAST_UNLOADING: style.GREEN,
 }
-LEAST_LABELLED_SHARE = 0.03
-"""Least part of the axis over which a segment is labelled."""
-HEADROOM = 0.45
-"""Part of the range of forces left free above for the labels."""
 
 
 @without_extent(OliverPharrSolution)
@@ -52,29 +49,8 @@ def unloading_sheet(item: OliverPharrSolution) -> Sheet:
         Line(np.array([item.depth]), np.array([item.force]), style.INK, **peak),
         Rule(item.contact_depth, upright=True, width=0.9, name="contact depth $h_c$"),
     )
-    panels = _over_time(curve, segments), _over_depth(depth, curve, segments).plus(*marks)
+    panels = phases_over_time(curve, segments, COLOURS), _over_depth(depth, curve, segments).plus(*marks)
     return Sheet(titled(panels, "segments", "the unloading and its stiffness"), width=4.6, height=3.6)
-
-
-def _over_time(curve: ForceCurve, segments: tuple[Segment, ...]) -> Panel:
-    """Return the force over time, or over the number of the point, with its segments shaded."""
-    order = (
-        Series("time", Word("t", "s", "time"), curve.time)
-        if curve.timed
-        else Series("point", Word("", "", "point"), np.arange(float(curve.count)))
-    )
-    force = Series("force", Word("F", "N", "force"), curve.force)
-    along = order.content
-    span = float(np.ptp(along)) or 1.0
-    marks: list[Any] = []
-    look: dict[str, Any] = {"upright": "top", "size": 8.0, "turned": True, "framed": (False, True)}
-    for part in segments:
-        start, end = along[part.first], along[min(part.last + 1, curve.count - 1)]
-        marks.append(Band(start, end, COLOURS[part.kind], 0.14))
-        if end - start > LEAST_LABELLED_SHARE * span:
-            marks.append(Text(0.5 * (start + end), 0.98, part.kind.value, **look))
-    marks.append(Line(along, force.content, style.INK, width=1.2))
-    return Panel(tuple(marks), PanelAxis.of(order), PanelAxis.of(force, headroom=HEADROOM))
 
 
 def _over_depth(depth: Series, curve: ForceCurve, segments: tuple[Segment, ...]) -> Panel:

@@ -28,6 +28,7 @@ FRAME_RATIO = 0.08
 ARROWS_ACROSS = 15
 """Arrows along the larger side of a picture."""
 FEWEST_POINTS = 2
+ROLLED_ZONES = "stick (green) and slip, rolls to the right"
 SHORTEST_ARROW = 0.02
 """Traction over the greatest one below which no arrow is drawn."""
 
@@ -35,51 +36,39 @@ SHORTEST_ARROW = 0.02
 @without_extent(SurfaceTangentialSolution)
 def surface_shear_sheet(item: SurfaceTangentialSolution) -> Sheet:
     """Return stick and slip with arrows, the size of the traction at the end of the path, and the loop."""
-    panels, names = list(traction_maps(item.problem.topography, item.last)), ["stick (green) and slip", "traction"]
-    if len(panels) == 1:
-        names = ["no contact"]
-    if item.time.size >= FEWEST_POINTS:
-        loop, name = _loop(item)
-        panels.append(loop)
-        names.append(name)
-    last = item.last
-    share = f"{100.0 * last.stick_share:.3g} % of the contact sticks"
-    title = f"{with_unit(last.force, 'N')} at a depth of {with_unit(last.depth, 'm')};  {share}"
-    return Sheet(titled(panels, *names), 3, width=4.0, height=3.4, title=title)
+    more = [_loop(item)] if item.time.size >= FEWEST_POINTS else []
+    said = f"{with_unit(item.last.force, 'N')} at a depth of {with_unit(item.last.depth, 'm')}"
+    return _beside_maps(item, more, said, "stick (green) and slip")
 
 
 @without_extent(SurfaceRollingSolution)
 def surface_rolling_sheet(item: SurfaceRollingSolution) -> Sheet:
     """Return stick and slip with arrows and the size of the traction under the last creepage, and the creep curve."""
-    last = item.last
-    panels, names = (
-        list(traction_maps(item.problem.topography, last)),
-        ["stick (green) and slip, rolls to the right", "traction"],
-    )
-    if np.size(item.force) >= FEWEST_POINTS:
-        panels.append(_creep_panel(item))
-        names.append("creep force")
-    share = f"{100.0 * last.stick_share:.3g} % of the contact sticks"
-    title = f"{with_unit(last.force, 'N')}, drags by {with_unit(float(np.ravel(item.shear_force)[-1]), 'N')};  {share}"
-    return Sheet(titled(panels, *names), 3, width=4.0, height=3.4, title=title)
+    more = [(_creep_panel(item), "creep force")] if np.size(item.force) >= FEWEST_POINTS else []
+    drag = with_unit(float(np.ravel(item.shear_force)[-1]), "N")
+    return _beside_maps(item, more, f"{with_unit(item.last.force, 'N')}, drags by {drag}")
 
 
 @without_extent(SurfaceRollingStartSolution)
 def surface_rolling_start_sheet(item: SurfaceRollingStartSolution) -> Sheet:
     """Return stick and slip at the end, the traction, and forces or creepages over the distance."""
-    last = item.last
-    panels = list(traction_maps(item.problem.topography, last))
-    names = ["stick (green) and slip, rolls to the right", "traction"]
+    what = "creepage" if isinstance(item.problem.drive, ShearForce) else "force"
+    more = []
     if item.distance.size >= FEWEST_POINTS:
-        by_force = isinstance(item.problem.drive, ShearForce)
-        what = "creepage" if by_force else "force"
         lines = [
             (row_of(item, f"{along}_{what}"), label) for along, label in (("longitudinal", "$x$"), ("lateral", "$y$"))
         ]
-        panels.append(models_panel(row_of(item, "distance"), lines, label=what))
-        names.append(f"{what} over the distance")
-    title = f"after {with_unit(last.distance, 'm')};  {100.0 * last.stick_share:.3g} % of the contact sticks"
-    return Sheet(titled(panels, *names), 3, width=4.0, height=3.4, title=title)
+        more = [(models_panel(row_of(item, "distance"), lines, label=what), f"{what} over the distance")]
+    return _beside_maps(item, more, f"after {with_unit(item.last.distance, 'm')}")
+
+
+def _beside_maps(item: Any, more: list[tuple[Panel, str]], said: str, zones: str = ROLLED_ZONES) -> Sheet:
+    """Return stick and slip and the traction of the last state, and panels with their names."""
+    panels = list(traction_maps(item.problem.topography, item.last))
+    names = [zones, "traction"] if len(panels) > 1 else ["no contact"]
+    shown = titled([*panels, *(panel for panel, _ in more)], *names, *(name for _, name in more))
+    title = f"{said};  {100.0 * item.last.stick_share:.3g} % of the contact sticks"
+    return Sheet(shown, 3, width=4.0, height=3.4, title=title)
 
 
 def _creep_panel(item: SurfaceRollingSolution) -> Panel:
