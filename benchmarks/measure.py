@@ -191,7 +191,7 @@ def studies(folder: Path) -> str:
     for path in paths:
         text = path.read_text(encoding="utf-8")
         command = "fit" if any(f"\n[{section}]" in text for section in FITTED) else "run"
-        words = ["-m", "winkler", command, str(path), "--quiet", "--overwrite", "--output", "results"]
+        words = ["-m", "winkler", command, str(path), "--quiet", "--overwrite", "--output", f"studies/{path.stem}"]
         times[path.stem] = [of_a_process(words, folder) for _ in range(2)][1]
     long = sorted((name for name in times if times[name] > LONG), key=lambda name: -times[name])
     over = ", ".join(f"{name} {in_words(times[name])}" for name in long)

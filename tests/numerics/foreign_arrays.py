@@ -44,6 +44,9 @@ class Foreign:
     def __float__(self):
         return float(self.held)
 
+    def __complex__(self):
+        return complex(self.held)
+
     def __int__(self):
         return int(self.held)
 

@@ -215,12 +215,8 @@ def _fit(
         raise NotConverged(" ".join([str(error), *map(str, flags)])) from None
     if not isinstance(found, Fit):
         return found
-    jumps = of_slow_jumps(task.curve.count - found.curve.count)
-    return _doubted(found, [*jumps, *across_pop_ins(curve, found.curve, found.touched)])
-
-
-def _doubted(found: AnyFit, further: list[Flag]) -> AnyFit:
-    """Return a fit with further doubts."""
+    further = [*across_pop_ins(curve, found.curve, found.touched)]
+    further = [*of_slow_jumps(task.curve.count - found.curve.count), *further]
     return dataclasses.replace(found, flags=(*found.flags, *further)) if further else found
 
 
@@ -294,7 +290,7 @@ def _with_errors(task: FitTask, best: Generalised, noise: float, flags: tuple[Fl
         both = ("approach", "retract") if isinstance(result, Fit) else ("approach",)
         unseen = [*without_baseline(result.curve, result.touched, both)]
         further += unseen or unseen_baseline(task, coordinates, prediction, best.noise.effective_count)
-    return _doubted(result, further)
+    return dataclasses.replace(result, flags=(*result.flags, *further)) if further else result
 
 
 LEAST_ODDS = 20.0

@@ -75,7 +75,7 @@ def dot(one: Any, other: Any) -> float:
     if isinstance(one, np.ndarray):
         return float(np.vdot(one, other).real)
     xp = namespace_of(one)
-    return float(xp.vecdot(xp.reshape(one, (-1,)), xp.reshape(other, (-1,))).real)
+    return complex(xp.vecdot(xp.reshape(one, (-1,)), xp.reshape(other, (-1,)))).real
 
 
 def real_waves(numbers: Any, padded: Sequence[int], workers: int) -> Any:

@@ -52,8 +52,7 @@ def shaped(result: Quantity, shape: tuple[int, ...] | None = None) -> N:  # type
     shape : tuple of int, optional
         That of the question.
     """
-    numbers = np.asarray(result)
-    numbers = numbers if shape is None or numbers.shape == shape else np.reshape(numbers, shape)
+    numbers = np.asarray(result) if shape is None or np.shape(result) == shape else np.reshape(result, shape)
     return float(numbers) if numbers.ndim == 0 else numbers  # type: ignore[return-value]
 
 

@@ -101,9 +101,8 @@ class NoiseEstimate(NamedTuple):
     @property
     def behind_its_step(self) -> NoiseEstimate:
         """The same noise seen from where the step leads."""
-        none, mixture = np.zeros_like(self.step), self.mixture
-        moved = Mixture(mixture.shares, mixture.steps - self.step, mixture.covariances)
-        return self._replace(step=none, followed=np.zeros_like(self.followed), mixture=moved)
+        mixture = self.mixture._replace(steps=self.mixture.steps - self.step)
+        return self._replace(step=0.0 * self.step, followed=0.0 * self.followed, mixture=mixture)
 
 
 class _Solutions(NamedTuple):

@@ -76,8 +76,7 @@ class Mixture(_MixtureFields):
             ends = np.clip([apart - wide, -apart - wide], -FAR, FAR)
             beyond = ndtr(ends).sum(axis=0) @ shares
             density = (np.exp(-0.5 * ends**2).sum(axis=0) / errors) @ shares
-            short = beyond > outside
-            low, high = np.where(short, width, low), np.where(short, high, width)
+            low, high = np.where(beyond > outside, width, low), np.where(beyond > outside, high, width)
             # the logarithm of what lies beyond is nearly straight far out, and curved a little near the middle
             rest = beyond * np.log(np.maximum(beyond / outside, LEAST_BEYOND))
             step = np.divide(rest * np.sqrt(2.0 * np.pi), density, out=np.full_like(low, np.inf), where=density > 0.0)

@@ -207,11 +207,7 @@ class BoxContact:
         """Go uphill, and by a part of the direction of before."""
 
         def turned(part: Any) -> None:
-            if held > 0.0:
-                self.along[part] *= held
-                self.along[part] += uphill[part]
-            else:
-                self.along[part] = uphill[part]
+            self.along[part] = uphill[part] + held * self.along[part]
 
         self.rows.each(turned)
 

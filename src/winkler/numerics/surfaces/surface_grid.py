@@ -158,12 +158,11 @@ class SurfaceGrid(NamedTuple):
     def displacing(self, pressure: Any) -> tuple[Any, float]:
         """Return the waves of u under p, over E*, and the sum of p u: that of the waves, half of which are stored."""
         waves = self.waves(pressure)
-        once = (0, -1) if self.padded[1] % 2 == 0 else (0,)
+        once = (self.padded[1] + 1) // 2  # the first wave along y, and the last of an even number, stand for themselves
 
         def worked(part: Any) -> tuple[float]:
-            before = waves[part]
-            after = before * self.response[part]
-            twice = 2.0 * dot(before, after) - sum(dot(before[:, each], after[:, each]) for each in once)
+            before, after = waves[part], waves[part] * self.response[part]
+            twice = 2.0 * dot(before, after) - dot(before[:, ::once], after[:, ::once])
             waves[part] = after
             return (twice,)
 

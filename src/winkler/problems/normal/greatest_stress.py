@@ -208,8 +208,7 @@ def stress_in_plane(
 @functools.lru_cache(maxsize=16)
 def _across(springs: Any, first: bool, r: bytes, z: bytes) -> BodyField:
     """Return the stresses of the pressure alone in places ``(n,)``; all kinds of stress are sought from one grid on."""
-    field: BodyField = springs.bed.medium.interior(springs, np.frombuffer(r), np.frombuffer(z), below=first)
-    return field
+    return springs.bed.medium.interior(springs, np.frombuffer(r), np.frombuffer(z), below=first)  # type: ignore[no-any-return]
 
 
 def _is_ball(pressed: PressedSprings) -> bool:

@@ -94,7 +94,7 @@ class Indentation(PerLoad[Q]):
                 solver = at_force
             case Radius(prescribed):
                 solver = at_radius
-        load = np.atleast_1d(np.asarray(prescribed, dtype=float))
+        load = np.asarray(prescribed, dtype=float)
         load = load if load.ndim == 1 else load.ravel()
         depth, radius = solver(self.bed, load)
         if solver is not at_force:

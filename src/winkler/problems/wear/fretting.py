@@ -11,7 +11,6 @@ nothing any more (`winkler.problems.wear.limiting_profile`).  In gross slip the 
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator
 from typing import ClassVar
 
@@ -34,11 +33,8 @@ from winkler.problems.wear.validity import fretting_notes, slip_grid_note
 from winkler.problems.wear.worn_grid import WornContact
 from winkler.problems.wear.worn_layers import (
     cells_note,
-    laws_on,
     layer_loses,
     layer_notes,
-    refuse_thin,
-    refuse_wear_of_layers,
 )
 from winkler.problems.wear.worn_states import AtGoals, pressed_moment, unworn, worn_history, worn_states
 from winkler.values.checks.number_checks import FiniteQuantity
@@ -137,13 +133,7 @@ class FrettingWear(AtGoals):
 
     def __post_init__(self) -> None:
         refuse_unless_rubbed("FrettingWear", self.bed)
-        refuse_wear_of_layers("FrettingWear", self.bed.medium, self.wear, layer_wears=self.layer_wears)
         super().__post_init__()
-
-    @property
-    def laws(self) -> WearLaw:
-        """The laws of wear of both bodies; a single law is for the body that wears."""
-        return laws_on(self.bed.medium, self.wear, layer_wears=self.layer_wears)
 
     def rubbed(self, grid: RoundGrid, contact: WornContact) -> RubbedContact:
         """Return the contact under the oscillating displacement."""
@@ -152,19 +142,13 @@ class FrettingWear(AtGoals):
             size = grid.shift_under(contact, coefficient, size)
         return grid.rub(contact, coefficient, size)
 
-    @property
-    def most_worn(self) -> float:
-        """Infinite: the final worn depth is not known in advance."""
-        return math.inf
-
     def slipped(self, grid: RoundGrid, contact: WornContact) -> Array:
         """Return the slip distance per cycle at the nodes [m]."""
         return 4.0 * self.rubbed(grid, contact).slip
 
     def refuse(self, contact: WornContact, elapsed: float) -> None:
-        """Raise an error if the shear force exceeds the friction limit, or if much of a layer would wear."""
-        if layer_loses(self.bed.medium, self.wear, layer_wears=self.layer_wears):
-            refuse_thin("FrettingWear", self.bed.medium, contact.worn_depth, f"{elapsed:.4g} cycles")
+        """Refuse a contact that slides away under a prescribed shear force, and to wear much of a layer."""
+        super().refuse(contact, elapsed)
         most = self.law.coefficient * contact.force
         if isinstance(self.amplitude, ShearForce) and float(self.amplitude.shear_force) >= most:
             raise OutsideValidity(

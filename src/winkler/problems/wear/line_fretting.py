@@ -37,7 +37,7 @@ from winkler.problems.wear.strip_grid import RubbedStrip, StripGrid
 from winkler.problems.wear.stuck_core import stuck_core
 from winkler.problems.wear.validity import slip_grid_note
 from winkler.problems.wear.worn_grid import WornContact
-from winkler.problems.wear.worn_layers import laws_on, layer_loses, refuse_thin, refuse_wear_of_layers
+from winkler.problems.wear.worn_layers import layer_loses
 from winkler.problems.wear.worn_states import AtGoals, pressed_moment, unworn, worn_history, worn_states
 from winkler.values.checks.number_checks import FiniteQuantity
 from winkler.values.validity import Assumption, Note
@@ -139,13 +139,7 @@ class LineFrettingWear(AtGoals):
 
     def __post_init__(self) -> None:
         _ = self.bed.along_share
-        refuse_wear_of_layers("LineFrettingWear", self.bed.medium, self.wear, layer_wears=self.layer_wears)
         super().__post_init__()
-
-    @property
-    def laws(self) -> WearLaw:
-        """The laws of wear of both bodies; a single law is for the body that wears."""
-        return laws_on(self.bed.medium, self.wear, layer_wears=self.layer_wears)
 
     def _rubbed(self, grid: StripGrid, contact: WornContact) -> RubbedStrip:
         return grid.rub(contact, self.law.coefficient, float(self.amplitude.shear_force_per_length))
@@ -158,11 +152,6 @@ class LineFrettingWear(AtGoals):
     def slipped(self, grid: StripGrid, contact: WornContact) -> Array:
         """Return the slip distance per cycle at the nodes [m]."""
         return 4.0 * self._rubbed(grid, contact).slip
-
-    def refuse(self, contact: WornContact, elapsed: float) -> None:
-        """Raise an error if much of a layer would wear."""
-        if layer_loses(self.bed.medium, self.wear, layer_wears=self.layer_wears):
-            refuse_thin("LineFrettingWear", self.bed.medium, contact.worn_depth, f"{elapsed:.4g} cycles")
 
     def _nodes(self) -> Array:
         """Return places up to where wear ends at last, closest beside what sticks."""

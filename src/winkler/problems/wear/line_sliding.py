@@ -17,7 +17,7 @@ import numpy as np
 from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.foundation.power_law_line import PowerLawLineFoundation
-from winkler.laws.wear import Archard, OwnWear, WearLaw
+from winkler.laws.wear import Archard, OwnWear
 from winkler.loading.path import OnePositiveLineForce
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import WORN
@@ -29,7 +29,6 @@ from winkler.problems.wear.march import WearMoment
 from winkler.problems.wear.nodes import GRID_GROWTH, graded_nodes
 from winkler.problems.wear.stuck_core import refuse_unless_rising
 from winkler.problems.wear.worn_grid import WornContact
-from winkler.problems.wear.worn_layers import laws_on, refuse_thin, refuse_wear_of_layers
 from winkler.problems.wear.worn_states import OfDistance, pressed_moment, worn_history, worn_states
 from winkler.values.checks.number_checks import Advice, FiniteQuantity
 from winkler.values.validity import Assumption, Note
@@ -122,19 +121,12 @@ class LineSlidingWear(OfDistance):
 
     def __post_init__(self) -> None:
         _ = self.bed.medium.modulus
-        refuse_wear_of_layers("LineSlidingWear", self.bed.medium, self.wear, layer_wears=self.layer_wears)
         super().__post_init__()
-
-    @property
-    def laws(self) -> WearLaw:
-        """The laws of wear of both bodies; one body wears, see `layer_wears`."""
-        return laws_on(self.bed.medium, self.wear, layer_wears=self.layer_wears)
 
     def refuse(self, contact: WornContact, elapsed: float) -> None:
         """Raise an error if the contact reaches a falling part of the profile, or much of a layer would wear."""
         refuse_unless_rising("LineSlidingWear", self.bed, contact.radius)
-        if self.layer_wears:
-            refuse_thin("LineSlidingWear", self.bed.medium, contact.worn_depth, f"{elapsed:.4g} m of sliding")
+        super().refuse(contact, elapsed)
 
     def _nodes(self) -> Array:
         bed = self.bed

@@ -15,7 +15,7 @@ from typing import Annotated, ClassVar
 import numpy as np
 
 from winkler.foundation.foundation import Foundation
-from winkler.laws.wear import Archard, OwnWear, WearLaw
+from winkler.laws.wear import Archard, OwnWear
 from winkler.loading.path import OnePositiveNormal
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.declared import WORN
@@ -23,8 +23,7 @@ from winkler.problems.wear.input_checks import Cells, WearTolerance, refuse_unle
 from winkler.problems.wear.march import WearMoment
 from winkler.problems.wear.states import WearState
 from winkler.problems.wear.validity import sliding_notes
-from winkler.problems.wear.worn_grid import WornContact
-from winkler.problems.wear.worn_layers import cells_note, laws_on, layer_notes, refuse_thin, refuse_without_layer
+from winkler.problems.wear.worn_layers import cells_note, layer_notes
 from winkler.problems.wear.worn_states import OfDistance, pressed_moment, round_nodes, worn_history, worn_states
 from winkler.values.checks.number_checks import Advice, FiniteQuantity
 from winkler.values.validity import Assumption, Note
@@ -116,19 +115,7 @@ class SlidingWear(OfDistance):
 
     def __post_init__(self) -> None:
         refuse_unless_pressed("SlidingWear", self.bed)
-        if self.layer_wears:
-            refuse_without_layer("SlidingWear", self.bed.medium)
         super().__post_init__()
-
-    @property
-    def laws(self) -> WearLaw:
-        """The laws of wear of both bodies; one body wears, see `layer_wears`."""
-        return laws_on(self.bed.medium, self.wear, layer_wears=self.layer_wears)
-
-    def refuse(self, contact: WornContact, elapsed: float) -> None:
-        """Raise an error if more than a small part of a layer would wear."""
-        if self.layer_wears:
-            refuse_thin("SlidingWear", self.bed.medium, contact.worn_depth, f"{elapsed:.4g} m of sliding")
 
     def steps(self, start: WearState | None = None) -> Iterator[WearState]:
         """Yield the contact at every requested distance.

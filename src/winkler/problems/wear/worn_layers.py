@@ -29,7 +29,6 @@ __all__ = [
     "layer_notes",
     "refuse_thin",
     "refuse_wear_of_layers",
-    "refuse_without_layer",
     "strip_cells_note",
 ]
 
@@ -48,28 +47,22 @@ SMALL_PULL = 1e-3
 MODEL = "the profile is lowered by what is worn off, the compliance stays that of the whole layer"
 
 
-def refuse_without_layer(owner: str, medium: object) -> None:
-    """Refuse a medium that has no layer to be worn."""
-    if not offers(medium, LayerStack):
-        raise InvalidInput(
-            f"{owner}: layer_wears is True, and a {type(medium).__name__} has no layers; leave it out, or give a "
-            "CoatedHalfSpace, SlidingFilm or StackedHalfSpace."
-        )
-
-
 def _thickness(medium: Any) -> float:
     return float(medium.layers[0].thickness)
 
 
 def refuse_wear_of_layers(owner: str, medium: object, wear: WearLaw, *, layer_wears: bool) -> None:
     """Refuse a law for a layer on a medium that has no layer to be worn; parameters as of `laws_on`."""
-    if layer_wears:
-        refuse_without_layer(owner, medium)
-        if isinstance(wear, PairWear):
-            raise InvalidInput(
-                f"{owner}: layer_wears is True, and the law of wear is a PairWear, whose first law is that of the "
-                "layer; leave layer_wears out, or give one law."
-            )
+    if layer_wears and not offers(medium, LayerStack):
+        raise InvalidInput(
+            f"{owner}: layer_wears is True, and a {type(medium).__name__} has no layers; leave it out, or give a "
+            "CoatedHalfSpace, SlidingFilm or StackedHalfSpace."
+        )
+    if layer_wears and isinstance(wear, PairWear):
+        raise InvalidInput(
+            f"{owner}: layer_wears is True, and the law of wear is a PairWear, whose first law is that of the "
+            "layer; leave layer_wears out, or give one law."
+        )
     if isinstance(wear, PairWear) and offers(medium, PressedWaves) and not offers(medium, LayerStack):
         raise InvalidInput(
             f"{owner}: under a PairWear the first body wears, and a {type(medium).__name__} has no layers of which it "

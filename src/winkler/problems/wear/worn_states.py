@@ -17,6 +17,7 @@ from winkler.problems.wear.march import WearMoment, WearProblem, march_wear, sca
 from winkler.problems.wear.nodes import first_nodes
 from winkler.problems.wear.states import goals_of
 from winkler.problems.wear.worn_grid import WornContact
+from winkler.problems.wear.worn_layers import laws_on, layer_loses, refuse_thin, refuse_wear_of_layers
 from winkler.values.errors import OutsideValidity
 from winkler.values.value import words
 
@@ -41,18 +42,21 @@ class AtGoals:
         goals=("n", None, "after how many cycles, or which distances, the contact is returned"),
     )
 
+    bed: Any
     wear: WearLaw
+    layer_wears: bool
 
     _along: ClassVar[str] = "cycles"
     _unit: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
+        refuse_wear_of_layers(type(self).__name__, self.bed.medium, self.wear, layer_wears=self.layer_wears)
         _ = self.goals  # refused if they do not rise
 
     @property
     def laws(self) -> WearLaw:
-        """How the bodies wear; one law alone is that of the first body."""
-        return self.wear
+        """How the bodies wear: one law alone is that of the first, or on layers that stay as they are, the second."""
+        return laws_on(self.bed.medium, self.wear, layer_wears=self.layer_wears)
 
     @property
     def goals(self) -> Array:
@@ -68,6 +72,16 @@ class AtGoals:
         """Return how far wear has come, in words and with its unit."""
         return f"{elapsed:.6g} cycles"
 
+    @property
+    def most_worn(self) -> float:
+        """Infinite: sliding goes on, and where fretting ends is not known before."""
+        return math.inf
+
+    def refuse(self, contact: WornContact, elapsed: float) -> None:
+        """Refuse to wear much of a layer."""
+        if layer_loses(self.bed.medium, self.wear, layer_wears=self.layer_wears):
+            refuse_thin(type(self).__name__, self.bed.medium, contact.worn_depth, self.reached(elapsed))
+
 
 class OfDistance(AtGoals):
     """The part of a problem of steady sliding that says where its contact is returned; wear has no end."""
@@ -78,11 +92,6 @@ class OfDistance(AtGoals):
     def reached(self, elapsed: float) -> str:
         """As `AtGoals.reached`: a distance."""
         return f"{elapsed:.6g} m of sliding"
-
-    @property
-    def most_worn(self) -> float:
-        """Infinite: sliding goes on."""
-        return math.inf
 
     def slipped(self, grid: Any, contact: WornContact) -> Array:
         """Return how far the surfaces slip per distance: all of it."""
