@@ -51,7 +51,7 @@ TWIST_BOUND = Equation(
 )
 TORQUE = Equation("The torque is the moment of the spring forces", r"M_z = 2\int_0^a x\,q(x)\,\mathrm{d}x")
 TANGENTIAL_FORCE = Equation(
-    ("The sum of the spring forces is the tangential force"), r"F_x = 2\int_0^a c_T\,u_t\,\mathrm{d}x"
+    "The sum of the spring forces is the tangential force", r"F_x = 2\int_0^a c_T\,u_t\,\mathrm{d}x"
 )
 LOSS = Equation("The dissipated energy of a closed cycle is the work of this force", r"W = \oint F_x\,\mathrm{d}u_x")
 MASING = Equation(
@@ -224,7 +224,7 @@ FRICTION = Chapter(
             normal={"kind": "force", "force": "100 N"},
             amplitude={"kind": "shift", "shift": "0.5 um"},
             picture=Caption(
-                "damping", "Damping by friction", ("Dissipated energy, stiffness and loss factor over the amplitude.")
+                "damping", "Damping by friction", "Dissipated energy, stiffness and loss factor over the amplitude."
             ),
             contact_shown="the contact under its normal load, without friction",
             formulas=followed_by(tangential_formulas, LOSS),
@@ -244,7 +244,7 @@ FRICTION = Chapter(
             picture=Caption(
                 "damping",
                 "Damping by friction",
-                ("Dissipated energy of every closed cycle of depth and tangential displacement."),
+                "Dissipated energy of every closed cycle of depth and tangential displacement.",
             ),
             contact_shown="the contact at its greatest depth, without friction",
             formulas=followed_by(normal_formulas, TANGENTIAL_SPRINGS, COMMON_OSCILLATION, LOSS),
@@ -261,7 +261,7 @@ FRICTION = Chapter(
             depth_amplitude="1 um",
             frequency="100 Hz",
             picture=Caption(
-                "damping", "Damping by relaxation", ("Tangential stiffness and damping under an oscillating depth.")
+                "damping", "Damping by relaxation", "Tangential stiffness and damping under an oscillating depth."
             ),
             contact_shown="the contact at its greatest depth, without friction",
             formulas=followed_by(normal_formulas, RELAXED),

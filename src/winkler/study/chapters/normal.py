@@ -134,10 +134,7 @@ ELLIPSE = Equation(
     "The contact is an ellipse, the pressure a half-ellipsoid (Hertz)",
     r"p = \frac{3F_N}{2\pi ab}\sqrt{1-\frac{x^2}{a^2}-\frac{y^2}{b^2}}",
 )
-BALL = Equation(
-    "Force and depth are those of a ball with the radius",
-    r"R_{eq} = \frac{9F_N^2}{16E^{*2}d^3}",
-)
+BALL = Equation("Force and depth are those of a ball with the radius", r"R_{eq} = \frac{9F_N^2}{16E^{*2}d^3}")
 POTENTIALS = Equation(
     "The stresses follow from its potential and the integrals of the potential along z (once: H, twice: K)",
     r"\Phi = \frac{\pi abp_0}{2}\int_\lambda^\infty \frac{1-\frac{x^2}{a^2+s}-\frac{y^2}{b^2+s}-\frac{z^2}{s}}"
@@ -312,7 +309,7 @@ NORMAL = Chapter(
             profiles=OVAL,
             load={"kind": "depth", "depth": "1 um"},
             picture=Caption(
-                "contour", "The contact", ("Contour of the contact, computed in the directions of the points.")
+                "contour", "The contact", "Contour of the contact, computed in the directions of the points."
             ),
             curves=(("depth", "force"),),
             pictured=PicturedContact.NONE,

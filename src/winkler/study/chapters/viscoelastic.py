@@ -89,10 +89,7 @@ DYNAMIC = Equation(
     "with the complex modulus of the pair",
     r"E^*(\mathrm{i}\omega) = E^*_\infty + \sum_i E^*_i\,\frac{\mathrm{i}\omega\tau_i}{1+\mathrm{i}\omega\tau_i}",
 )
-RESTITUTION = Equation(
-    "Coefficient of restitution, and dissipated energy",
-    r"W = \frac{1}{2}mv^2\left(1-e^2\right)",
-)
+RESTITUTION = Equation("Coefficient of restitution, and dissipated energy", r"W = \frac{1}{2}mv^2\left(1-e^2\right)")
 PROPORTIONAL = Equation(
     "All moduli relax in proportion: they are the elastic moduli times one function of time",
     r"E(z,t) = E(z)\,\varphi(t), \quad \varphi(t) = \frac{G(t)}{G}",
@@ -298,7 +295,7 @@ VISCOELASTIC = Chapter(
             count=100,
             tolerance=1e-3,
             picture=Caption(
-                "impact", "The impact", ("Force, velocity, depth and contact radius until the body separates.")
+                "impact", "The impact", "Force, velocity, depth and contact radius until the body separates."
             ),
             curves=(("depth", "force"), ("time", "force"), ("time", "velocity")),
             pictured=PicturedContact.NONE,

@@ -25,7 +25,7 @@ ALONG = Equation(
 )
 SLIDES = Equation("The spring slides where this load reaches the friction limit", r"|q_x(x,t)| \le \mu\,q(x,t)")
 SHIFTED = Equation(
-    ("The sum of the spring forces is the tangential force"), r"F_x(t) = 2\int_0^{a(t)} q_x(x,t)\,\mathrm{d}x"
+    "The sum of the spring forces is the tangential force", r"F_x(t) = 2\int_0^{a(t)} q_x(x,t)\,\mathrm{d}x"
 )
 LOSSES = Equation(
     "The work is stored, dissipated in the bodies, or dissipated by friction",
@@ -42,7 +42,7 @@ AROUND = Equation(
     r"|q_\theta| \le 4\mu\,x\int_x^a \frac{p(r,t)\,\mathrm{d}r}{\sqrt{r^2-x^2}}",
 )
 TURNED = Equation(
-    ("The torque is the moment of the spring forces"), r"M_z(t) = 2\int_0^{a(t)} x\,q_\theta(x,t)\,\mathrm{d}x"
+    "The torque is the moment of the spring forces", r"M_z(t) = 2\int_0^{a(t)} x\,q_\theta(x,t)\,\mathrm{d}x"
 )
 TWIST_LOSSES = Equation(
     "The work is stored, dissipated in the bodies, or dissipated by friction",
@@ -53,7 +53,7 @@ PASSING_SPRINGS = Equation(
     r"q(x) = \int_x^a E^*\left(\frac{x'-x}{v}\right)\,g'(x')\,\mathrm{d}x'",
 )
 BORNE_LOAD = Equation(
-    ("until it separates; the sum of the spring forces is the normal force"), r"F_N = \int_{x_2}^a q(x)\,\mathrm{d}x"
+    "until it separates; the sum of the spring forces is the normal force", r"F_N = \int_{x_2}^a q(x)\,\mathrm{d}x"
 )
 RESISTANCE = Equation(
     "The front carries more load than the back, so the one-dimensional foundation resists the motion; the resistance "
@@ -76,7 +76,7 @@ SATURATING = Equation(
 )
 MACHINE = Equation("while the drive of the machine moves", r"D(t) = d + \frac{F_N}{k_m}")
 SPENT_WORK = Equation(
-    ("The part of the machine's work that is not stored is dissipated"), r"\int F_N\,\mathrm{d}D = U + W"
+    "The part of the machine's work that is not stored is dissipated", r"\int F_N\,\mathrm{d}D = U + W"
 )
 
 
@@ -192,7 +192,7 @@ VISCOELASTIC_SURFACES = Chapter(
             picture=Caption(
                 "damping",
                 "Damping by friction",
-                ("Dissipated energies and loss factor over the amplitude, and the largest loop."),
+                "Dissipated energies and loss factor over the amplitude, and the largest loop.",
             ),
             pictured=PicturedContact.NONE,
             formulas=followed_by(relaxing_formulas, SPRINGS, FORCE, ALONG, SLIDES, SHIFTED, CYCLE_LOSSES),
@@ -203,7 +203,7 @@ VISCOELASTIC_SURFACES = Chapter(
             picture=Caption(
                 "damping",
                 "Damping by friction",
-                ("Dissipated energy of every closed cycle of depth and tangential displacement."),
+                "Dissipated energy of every closed cycle of depth and tangential displacement.",
             ),
             pictured=PicturedContact.NONE,
             formulas=followed_by(relaxing_formulas, SPRINGS, DETACHMENT, FORCE, ALONG, SLIDES, SHIFTED, CYCLE_LOSSES),

@@ -72,7 +72,7 @@ ROLLER_GAP = Equation(
     r"\quad p \ge 0, \; w \ge 0, \; p\,w = 0",
 )
 ROLLER_SUMS = Equation(
-    ("Force and moment are sums over the elements"), r"F_N = \int p\,\mathrm{d}A, \quad M = \int p\,x\,\mathrm{d}A"
+    "Force and moment are sums over the elements", r"F_N = \int p\,\mathrm{d}A, \quad M = \int p\,x\,\mathrm{d}A"
 )
 ROLLER_CROWN = Equation(
     "A logarithmic crown beyond a straight part of the half-length s drops by (after Lundberg, with the parameters of "
@@ -110,10 +110,7 @@ LAYERED_RANGED = Equation(
     "Outside the contact, up to c, the adhesive stress acts; G is then the transform of pressure and adhesive stress",
     r"P = E^*\,(w(a)+\beta_0) - 2\sigma_0\sqrt{c^2-a^2}",
 )
-RANGED = Equation(
-    "Outside the contact, up to c, the adhesive stress acts",
-    r"P = E^*\,w(a) - 2\sigma_0\sqrt{c^2-a^2}",
-)
+RANGED = Equation("Outside the contact, up to c, the adhesive stress acts", r"P = E^*\,w(a) - 2\sigma_0\sqrt{c^2-a^2}")
 RANGE_END = Equation("which ends where the gap equals the range of the attraction", r"h(c) = \frac{\gamma}{\sigma_0}")
 GRADED_LOAD = Equation(
     "Load per length of the profile on bodies graded by the power k",
@@ -299,7 +296,7 @@ LINE = Chapter(
             bed=STICKY_ROLLER,
             load={"kind": "line_force", "force_per_length": "1 N/m"},
             picture=Caption(
-                "line_adhesion", "The contact", ("Pressure and deformed shape; for many loads the half-width.")
+                "line_adhesion", "The contact", "Pressure and deformed shape; for many loads the half-width."
             ),
             curves=(("force_per_length", "half_width"),),
             pictured=PicturedContact.NONE,
@@ -320,7 +317,7 @@ LINE = Chapter(
             pitch="1 mm",
             load={"kind": "nominal_pressure", "nominal_pressure": "100 MPa"},
             picture=Caption(
-                "waves", "The contact", ("Pressure and deformed shape; for many loads contact width and pressures.")
+                "waves", "The contact", "Pressure and deformed shape; for many loads contact width and pressures."
             ),
             curves=(("nominal_pressure", "contact_share"), ("nominal_pressure", "peak_pressure")),
             pictured=PicturedContact.NONE,
@@ -381,7 +378,7 @@ LINE = Chapter(
             picture=Caption(
                 "line_shakedown",
                 "Shakedown limit",
-                ("Shear stress on planes parallel to the surface at the shakedown limit."),
+                "Shear stress on planes parallel to the surface at the shakedown limit.",
             ),
             pictured=PicturedContact.NONE,
             formulas=line_shakedown_formulas,

@@ -21,10 +21,7 @@ HISTORY = Equation(
     "Along a path the traction is a sum of such pressures, one for each load reversal that still has an effect",
     r"q(x) = \sum_j B_j\,p(x;\gamma_j)",
 )
-AHEAD = Equation(
-    "and the slip is the sum of the gaps outside these contacts",
-    r"s(x) = -\sum_j B_j\,h(x;\gamma_j)",
-)
+AHEAD = Equation("and the slip is the sum of the gaps outside these contacts", r"s(x) = -\sum_j B_j\,h(x;\gamma_j)")
 SHIFTED = Equation(
     "A bulk stress in phase with Q displaces these contacts of a cylinder by",
     r"e_j = R\,\frac{1-\nu_1^2}{E_1}\,\frac{\sigma_B}{Q}\,(P-\gamma_j)",

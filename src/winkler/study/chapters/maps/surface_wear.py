@@ -14,10 +14,7 @@ SLID = {
     "load": {"kind": "force", "force": "100 N"},
 }
 
-WORN = Equation(
-    "Worn depth of every pixel (Archard)",
-    r"\frac{\mathrm{d}h}{\mathrm{d}s} = \kappa\,p(x,y)",
-)
+WORN = Equation("Worn depth of every pixel (Archard)", r"\frac{\mathrm{d}h}{\mathrm{d}s} = \kappa\,p(x,y)")
 STAGE = Equation(
     "In each stage of a step the worn depth of a pixel is proportional to its pressure at the end, like the "
     "deflection of a film",
