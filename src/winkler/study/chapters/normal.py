@@ -45,8 +45,7 @@ BACK = Equation(
     r"f(r) = \frac{2}{\pi}\int_0^r \frac{g(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x",
 )
 SPRINGS = Equation(
-    "Springs of the stiffness E* per length are compressed by d − g(x); the compression of the outermost spring is "
-    "zero",
+    "Springs of the stiffness E* per length are compressed by d − g(x); that of the outermost spring is zero",
     r"q_z(x) = E^*\,\left(d-g(x)\right), \quad |x| < a, \quad g(a) = d",
 )
 PINNED = Equation(
@@ -291,8 +290,7 @@ NORMAL = Chapter(
             picture=Caption(
                 "ellipse_yield",
                 "Onset of yield",
-                "The von Mises stress below both axes at the onset of yield; on layers the pressure and the position "
-                "of the onset.",
+                "The von Mises stress below both axes at the onset; on layers pressure and position of onset.",
             ),
             pictured=PicturedContact.NONE,
             live=True,
@@ -308,9 +306,7 @@ NORMAL = Chapter(
             headline=("force", "depth", "stiffness"),
             profiles=OVAL,
             load={"kind": "depth", "depth": "1 um"},
-            picture=Caption(
-                "contour", "The contact", "Contour of the contact, computed in the directions of the points."
-            ),
+            picture=Caption("contour", "The contact", "Computed in the directions of the points."),
             curves=(("depth", "force"),),
             pictured=PicturedContact.NONE,
             live=True,

@@ -13,8 +13,7 @@ __all__ = ["LINE_FRICTION"]
 TO_AND_FRO = ["0 N/mm", "20 N/mm", "-20 N/mm", "20 N/mm"]
 
 SLIPPING = Equation(
-    "In slip zones the traction is μ times the pressure; in the stick zone it is smaller by μ times the pressure of "
-    "a narrower contact",
+    "In slip zones the traction is μ p; in the stick zone it is smaller by μ times that of a narrower contact",
     r"q(x) = \mu\left[p(x;P) - p(x;\gamma)\right], \quad Q = \mu\,(P-\gamma)",
 )
 HISTORY = Equation(
