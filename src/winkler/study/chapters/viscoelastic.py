@@ -48,7 +48,7 @@ ACTIVATED = Equation(
     "which follows the law of Arrhenius", r"\ln a_T = \frac{Q}{R}\left(\frac{1}{T}-\frac{1}{T_0}\right)"
 )
 PLANE_KEPT = PLANE._replace(
-    says=("Poisson's ratio is constant, so the equivalent plane profile of f(r) is that of an elastic body")
+    says="Poisson's ratio is constant, so the equivalent plane profile of f(r) is that of an elastic body"
 )
 SPRINGS = Equation(
     "The load of every spring is a hereditary integral of its compression",
