@@ -53,10 +53,7 @@ class Staircase:
         The springs of the contact.
     """
 
-    __words__ = words(
-        radii=("b", "m", "radii of the punches"),
-        increments=(r"\Delta g", "m", "depth of each punch"),
-    )
+    __words__ = words(radii=("b", "m", "radii of the punches"), increments=(r"\Delta g", "m", "depth of each punch"))
 
     radii: Array
     increments: Array

@@ -213,7 +213,7 @@ class ProfilePairSolution:
         spin=(
             r"\varphi",
             "1/m",
-            ("spin (rotation about the normal per distance rolled) of the patch with the highest load"),
+            "spin about the normal, of the patch with the highest load",
         ),
     )
 

@@ -37,8 +37,7 @@ RING_END = Equation(
 )
 RINGED_FORCE = ADHESIVE_FORCE._replace(latex=r"F_N = 2\int_0^c c_N\,u\,\mathrm{d}x, \quad u(x) = d-g(x) \;\; (x < a)")
 LONG_RANGE_FORCE = Equation(
-    "Long-range attraction does not deform the bodies and adds a tensile force; R is the radius of curvature at the "
-    "apex",
+    "Long-range attraction adds a tensile force without deformation; R is the radius of curvature at the apex",
     r"d = g(a), \quad F_N(a) = 2\int_0^a c_N\left(d-g\right)\,\mathrm{d}x - 2\pi R w",
 )
 STABILITY = Equation(

@@ -74,9 +74,7 @@ TANGENTS = Equation(
     "bound by tangents (after Barber)",
     r"\max_{D<d_0}\frac{F-F_s(D)}{d_0+s-D} \le k \le \min_{D>d_0+s}\frac{F_s(D)-F}{D-d_0-s}",
 )
-PROPORTION = Equation(
-    ("The conductance is proportional to the stiffness"), r"\frac{1}{R} = \frac{2k}{E^*(\rho_1+\rho_2)}"
-)
+PROPORTION = Equation("Conductance is proportional to stiffness", r"\frac{1}{R} = \frac{2k}{E^*(\rho_1+\rho_2)}")
 STRIP = Equation(
     "Resistance between reference points at the depths d₁ and d₂, with the film resistance σ",
     r"R' = \frac{\rho_1}{\pi}\,\ln\left(\frac{d_1}{a}+\sqrt{1+\frac{d_1^2}{a^2}}\right) + "

@@ -47,9 +47,9 @@ TWIST_BOUND = Equation(
     "It slides where its load reaches the bound that follows from the pressure at larger radii",
     r"|q(x)| \le 4\mu\,x\int_x^a \frac{p(r)}{\sqrt{r^2-x^2}}\,\mathrm{d}r",
 )
-TORQUE = Equation("The torque is the moment of the spring forces", r"M_z = 2\int_0^a x\,q(x)\,\mathrm{d}x")
+TORQUE = Equation("Torque of the spring forces", r"M_z = 2\int_0^a x\,q(x)\,\mathrm{d}x")
 TANGENTIAL_FORCE = Equation(
-    ("The sum of the spring forces is the tangential force"), r"F_x = 2\int_0^a c_T\,u_t\,\mathrm{d}x"
+    "The spring forces add up to the tangential force", r"F_x = 2\int_0^a c_T\,u_t\,\mathrm{d}x"
 )
 LOSS = Equation("The dissipated energy of a closed cycle is the work of this force", r"W = \oint F_x\,\mathrm{d}u_x")
 MASING = Equation(
@@ -76,8 +76,7 @@ PUSHED_DEEP = Equation(
     r"h(x) = G^*\,u_x, \quad 2\,G^*\,e(x)^2 = \frac{\mathrm{d}k_x}{\mathrm{d}x}",
 )
 PUSH_SUM = Equation(
-    "It slides where this load reaches the bound of annular elements with μ times their own pressure; the shear "
-    "force is the sum",
+    "It slides where this load reaches the bound of annular elements under μ p; the shear force is the sum",
     r"|h(x)| \le b(x), \quad F_x = 2\int_0^a e(x)^2\,h(x)\,\mathrm{d}x",
 )
 TWISTED_DEEP = Equation(
@@ -86,8 +85,7 @@ TWISTED_DEEP = Equation(
     r"h(x) = 8G_t\,\phi, \quad 16\,G_t\,e(x)^2 = \frac{\mathrm{d}k_\varphi}{\mathrm{d}x}",
 )
 TORQUE_DEEP = Equation(
-    "It slides where this load reaches the bound of annular elements with μ times their own pressure; the torque is "
-    "the sum",
+    "It slides where this load reaches the bound of annular elements under μ p; the torque is the sum",
     r"|h(x)| \le b(x), \quad M_z = 2\int_0^a e(x)^2\,h(x)\,\mathrm{d}x",
 )
 
@@ -222,7 +220,7 @@ FRICTION = Chapter(
             normal={"kind": "force", "force": "100 N"},
             amplitude={"kind": "shift", "shift": "0.5 um"},
             picture=Caption(
-                "damping", "Damping by friction", ("Dissipated energy, stiffness and loss factor over the amplitude.")
+                "damping", "Damping by friction", "Energy loss, stiffness and loss factor over the amplitude."
             ),
             contact_shown="the contact under its normal load, without friction",
             formulas=followed_by(tangential_formulas, LOSS),
@@ -239,11 +237,7 @@ FRICTION = Chapter(
             depth_amplitude="1 um",
             shift_amplitude="0.5 um",
             phase="90 deg",
-            picture=Caption(
-                "damping",
-                "Damping by friction",
-                ("Dissipated energy of every closed cycle of depth and tangential displacement."),
-            ),
+            picture=Caption("damping", "Damping by friction", "Energy dissipated in every closed cycle."),
             contact_shown="the contact at its greatest depth, without friction",
             formulas=followed_by(normal_formulas, TANGENTIAL_SPRINGS, COMMON_OSCILLATION, LOSS),
         ),
@@ -258,9 +252,7 @@ FRICTION = Chapter(
             depth="3 um",
             depth_amplitude="1 um",
             frequency="100 Hz",
-            picture=Caption(
-                "damping", "Damping by relaxation", ("Tangential stiffness and damping under an oscillating depth.")
-            ),
+            picture=Caption("damping", "Damping by relaxation", "Stiffness and damping under an oscillating depth."),
             contact_shown="the contact at its greatest depth, without friction",
             formulas=followed_by(normal_formulas, RELAXED),
         ),
@@ -277,8 +269,7 @@ FRICTION = Chapter(
             picture=Caption(
                 "loops",
                 "Measured loops",
-                "Measured loops of the second half of the cycles with the fitted last loop, and the dissipated "
-                "energy of each cycle.",
+                "Measured loops (second half of the cycles), fitted last loop, and energy dissipated per cycle.",
             ),
             pictured=PicturedContact.NONE,
             formulas=(MASING, SLIDING_SCALE),

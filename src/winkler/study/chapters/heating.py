@@ -22,8 +22,7 @@ TWO_CYCLES = [
 
 FLUX = Equation("Frictional heat flux, proportional to the pressure", r"q(r) = \mu\,p(r)\,v, \quad Q = \mu\,F_N\,v")
 AT_REST = Equation(
-    "On a body at rest relative to the contact, temperature follows from heat flux as displacement follows from "
-    "pressure",
+    "On a body at rest, temperature follows from heat flux as displacement follows from pressure",
     r"T(r) = \frac{1}{\pi\lambda}\int_0^r \frac{q_1(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x, \quad "
     r"q_1(x) = 2\int_x^a \frac{q(r)\,r}{\sqrt{r^2-x^2}}\,\mathrm{d}r",
 )
@@ -37,8 +36,7 @@ MOVING_KERNEL = Equation(
     r"b = \frac{V}{\kappa}\,\cos\theta, \quad s = x\,\cos\theta+y\,\sin\theta, \quad D(z) = e^{-z}(I_0(z)-I_1(z))",
 )
 SHARE = Equation(
-    "Heat partition; T₁ and T₂ are the maximum (or mean) temperatures that each body would have if it received all "
-    "heat",
+    "Heat partition; T₁ and T₂ are the maximum (or mean) temperatures of each body if it received all heat",
     r"\alpha = \frac{T_2}{T_1+T_2}, \quad \mathrm{Pe} = \frac{V\,a}{2\kappa}",
 )
 TRANSIENT = Equation(
@@ -55,8 +53,7 @@ COMMON_SURFACE = Equation(
     r"q_1(x) = 2\int_x^a \frac{q(r)\,r}{\sqrt{r^2-x^2}}\,\mathrm{d}r",
 )
 BAND = Equation(
-    "Under an infinitely long band the temperature of each body is the sum of line sources (Jaeger), with the Bessel "
-    "function K₀",
+    "Temperature under an infinitely long band: the sum of line sources (Jaeger), with the Bessel function K₀",
     r"T(x) = \frac{1}{\pi\lambda}\int_{-a}^a \mu\,p(s)\,v\,\mathrm{e}^{z}\,K_0(|z|)\,\mathrm{d}s, \quad "
     r"z = \frac{V}{2\kappa}\,(x-s)",
 )

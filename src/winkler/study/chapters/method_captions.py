@@ -5,8 +5,7 @@ from __future__ import annotations
 CAPTIONS = {
     "shape": (
         "The body in three dimensions",
-        "The body is cut open and shown in its indentation. The contact has a red rim; darker colours mean higher "
-        "pressure.",
+        "The body is cut open. The contact has a red rim; darker colours mean higher pressure.",
     ),
     "medium": (
         "The medium",

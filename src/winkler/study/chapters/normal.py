@@ -30,8 +30,7 @@ BACK = Equation(
     r"f(r) = \frac{2}{\pi}\int_0^r \frac{g(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x",
 )
 SPRINGS = Equation(
-    "Springs of the stiffness E* per length are compressed by d − g(x); the compression of the outermost spring is "
-    "zero",
+    "Springs of the stiffness E* per length are compressed by d − g(x); that of the outermost spring is zero",
     r"q_z(x) = E^*\,\left(d-g(x)\right), \quad |x| < a, \quad g(a) = d",
 )
 PINNED = Equation(
@@ -119,10 +118,7 @@ ELLIPSE = Equation(
     "The contact is an ellipse, the pressure a half-ellipsoid (Hertz)",
     r"p = \frac{3F_N}{2\pi ab}\sqrt{1-\frac{x^2}{a^2}-\frac{y^2}{b^2}}",
 )
-BALL = Equation(
-    "Force and depth are those of a ball with the radius",
-    r"R_{eq} = \frac{9F_N^2}{16E^{*2}d^3}",
-)
+BALL = Equation("Force and depth are those of a ball with the radius", r"R_{eq} = \frac{9F_N^2}{16E^{*2}d^3}")
 POTENTIALS = Equation(
     "The stresses follow from its potential and the integrals of the potential along z (once: H, twice: K)",
     r"\Phi = \frac{\pi abp_0}{2}\int_\lambda^\infty \frac{1-\frac{x^2}{a^2+s}-\frac{y^2}{b^2+s}-\frac{z^2}{s}}"
@@ -279,8 +275,7 @@ NORMAL = Chapter(
             picture=Caption(
                 "ellipse_yield",
                 "Onset of yield",
-                "The von Mises stress below both axes at the onset of yield; on layers the pressure and the position "
-                "of the onset.",
+                "The von Mises stress below both axes at the onset; on layers pressure and position of onset.",
             ),
             pictured=PicturedContact.NONE,
             live=True,
@@ -296,9 +291,7 @@ NORMAL = Chapter(
             headline=("force", "depth", "stiffness"),
             profiles=OVAL,
             load={"kind": "depth", "depth": "1 um"},
-            picture=Caption(
-                "contour", "The contact", ("Contour of the contact, computed in the directions of the points.")
-            ),
+            picture=Caption("contour", "The contact", "Computed in the directions of the points."),
             curves=(("depth", "force"),),
             pictured=PicturedContact.NONE,
             live=True,

@@ -160,7 +160,7 @@ ROLLING = Chapter(
             picture=Caption(
                 "start",
                 "From rest to rolling",
-                ("Force over the rolling distance, and the springs at several distances."),
+                "Force over the distance, and springs at several distances.",
             ),
             curves=(("distance", "shear_force"), ("distance", "stick_share")),
             pictured=PicturedContact.PATH,

@@ -38,8 +38,7 @@ ELEMENTS = Equation(
     r"\quad p \ge 0, \; w \ge 0, \; p\,w = 0",
 )
 ATTRACTED = Equation(
-    "At every displacement the surface is in a local minimum of elastic and adhesive energy, reached from the "
-    "previous minimum",
+    "The surface is in a local minimum of elastic and adhesive energy, reached from the previous minimum",
     r"E = \frac{1}{2}\int p\,u\,\mathrm{d}A + \int\phi(g)\,\mathrm{d}A, \quad g = h(x,y)-d+u \ge 0",
 )
 LOST = Equation(
@@ -267,8 +266,7 @@ ROUGH = Chapter(
             picture=Caption(
                 "lines",
                 "Rough lines of springs",
-                "Spectrum, depth and stiffness (the band contains 80 % of the random profiles); contact area by "
-                "Persson's theory.",
+                "Spectrum, depth and stiffness (band: 80 % of the random profiles); area by Persson's theory.",
             ),
             curves=(("depth", "force"), ("force", "stiffness"), ("force", "area"), ("force", "mean_gap")),
             pictured=PicturedContact.NONE,
@@ -290,8 +288,7 @@ ROUGH = Chapter(
             picture=Caption(
                 "lines",
                 "Rough lines of springs under the body",
-                "Spectrum, depth and stiffness (the band contains 80 % of the random profiles); contact area by "
-                "Persson's theory.",
+                "Spectrum, depth and stiffness (band: 80 % of the random profiles); area by Persson's theory.",
             ),
             curves=(("depth", "force"), ("force", "stiffness"), ("force", "area")),
             pictured=PicturedContact.NONE,
@@ -309,8 +306,7 @@ ROUGH = Chapter(
             picture=Caption(
                 "friction",
                 "Friction of the rough surface on the elastomer",
-                "Trend of the friction coefficient with the velocity (not a prediction), and the spectrum of the "
-                "waves that contribute.",
+                "Trend of friction with velocity (not a prediction), and the spectrum of contributing waves.",
             ),
             curves=(("velocity", "coefficient"),),
             pictured=PicturedContact.NONE,

@@ -36,12 +36,11 @@ COULOMB = Equation(
     "In slip zones the traction equals its bound and has the direction of the slip s of the step",
     r"|\tau| \le \mu p, \quad \tau\cdot s = \mu p\,|s|",
 )
-SHEAR_FORCE = Equation("The sum of the spring forces is the tangential force", r"F = \int\tau\,\mathrm{d}A")
+SHEAR_FORCE = Equation("The spring forces add up to the tangential force", r"F = \int\tau\,\mathrm{d}A")
 ENERGY = Equation("Energy dissipated in each step: traction times slip", r"W_d = \sum\int\mu p\,|s|\,\mathrm{d}A")
 
 STIFFNESSES = Equation(
-    "The tangential stiffness without slip is known for each depth; the stick zone is the contact at a smaller depth "
-    "d*",
+    "The tangential stiffness without slip is known; the stick zone is the contact at a smaller depth d*",
     r"F_x = \mu\left(F_N-F_N^*\right), \quad u_x = \mu\int_{d^*}^{d}\frac{k}{K_x}\,\mathrm{d}d'",
 )
 
@@ -54,8 +53,7 @@ RATIO = Equation(
     r"\frac{K_x}{K_z} = \frac{G^*}{E^*} = \frac{2\,(1-\nu)}{2-\nu}",
 )
 LOOPS = Equation(
-    "Displacement and dissipated energy per cycle of springs under a constant normal force (Ciavarella, Jaeger, "
-    "Masing)",
+    "Displacement and energy loss per cycle under a constant normal force (Ciavarella, Jaeger, Masing)",
     r"u = \mu\int_{F_N-F_x/\mu}^{F_N}\frac{\mathrm{d}F'}{K_x(F')}, \quad "
     r"W = 4F_x\,u-8\int_0^{F_x}u\,\mathrm{d}f",
 )

@@ -63,9 +63,8 @@ SURFACE_HEATING = Chapter(
             picture=Caption(
                 "surface_heating",
                 "Temperatures of a contact that slides or rolls",
-                "Frictional heat flux; surface temperature of the first body with the contact outline and the "
-                "hottest point; temperatures of both surfaces along the line through this point, under the last "
-                "creepage.",
+                "Heat flux, temperature of the first body with its hottest point, and temperatures of both surfaces "
+                "on the line through this point, under the last creepage.",
             ),
             curves=(("heat_rate", "max_temperature"), ("heat_rate", "mean_temperature")),
             pictured=PicturedContact.NONE,

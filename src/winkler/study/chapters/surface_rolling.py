@@ -30,7 +30,7 @@ DRAWN = Equation(
     r"u_z = \frac{\beta}{\pi E^*}\int\frac{r\cdot\tau}{r^2}\,\mathrm{d}A",
 )
 COULOMB = Equation(
-    "In slip zones the traction equals its bound and has the direction of the slip",
+    "In slip zones the traction is at its bound, along the slip",
     r"|\tau| \le \mu p, \quad \tau\cdot s = \mu p\,|s|",
 )
 MOMENT = Equation("Moment on the first body", r"M_z = \int(x\,\tau_y-y\,\tau_x)\,\mathrm{d}A")
@@ -87,8 +87,7 @@ SURFACE_ROLLING = Chapter(
             picture=Caption(
                 "surface_rolling",
                 "Rolling by boundary elements",
-                "Stick and slip zones under the last creepage with arrows for the traction, its magnitude, and the "
-                "creep force.",
+                "Stick and slip zones under the last creepage with traction arrows, and the creep force.",
             ),
             curves=(
                 ("longitudinal_creepage", "longitudinal_force"),

@@ -25,8 +25,7 @@ PAIR = Equation(
     r"\int_0^t E^*(t-t')\,C(t')\,\mathrm{d}t' = t",
 )
 SERIES = Equation(
-    "The relaxation function is a sum of exponentials; each is integrated exactly while the springs move at constant "
-    "speed",
+    "The relaxation function is a sum of exponentials; each is integrated exactly at constant spring speed",
     r"E^*(t) = E^*_\infty + \sum_i E^*_i\,e^{-t/\tau_i}",
 )
 SHIFT = Equation("Temperature multiplies all times by one factor", r"G(t;T) = G\left(\frac{t}{a_T}\right)")
@@ -37,18 +36,14 @@ ACTIVATED = Equation(
     "which follows the law of Arrhenius", r"\ln a_T = \frac{Q}{R}\left(\frac{1}{T}-\frac{1}{T_0}\right)"
 )
 PLANE_KEPT = PLANE._replace(
-    says=(
-        "Poisson's ratio does not change in time, so the equivalent plane profile of the shape f(r) is that of an "
-        "elastic body"
-    )
+    says="Poisson's ratio is constant, so the equivalent plane profile of f(r) is that of an elastic body"
 )
 SPRINGS = Equation(
     "The load of every spring is a hereditary integral of its compression",
     r"q(x,t) = \int_0^t E^*(t-t')\,\frac{\partial u(x,t')}{\partial t'}\,\mathrm{d}t', \quad u = d(t)-g(x)",
 )
 DETACHMENT = Equation(
-    "A spring separates when its load would become tensile; it then recovers without load until the body touches it "
-    "again",
+    "A spring separates when its load would become tensile; it recovers freely until the body touches it again",
     r"q(x,t) = 0 \quad \mathrm{until} \quad d(t)-g(x) \ge u(x,t)",
 )
 FORCE = Equation("The sum of the spring forces is the force", r"F_N(t) = 2\int_0^{a(t)} q(x,t)\,\mathrm{d}x")
@@ -77,10 +72,7 @@ DYNAMIC = Equation(
     "with the complex modulus of the pair",
     r"E^*(\mathrm{i}\omega) = E^*_\infty + \sum_i E^*_i\,\frac{\mathrm{i}\omega\tau_i}{1+\mathrm{i}\omega\tau_i}",
 )
-RESTITUTION = Equation(
-    "Coefficient of restitution, and dissipated energy",
-    r"W = \frac{1}{2}mv^2\left(1-e^2\right)",
-)
+RESTITUTION = Equation("Coefficient of restitution, and dissipated energy", r"W = \frac{1}{2}mv^2\left(1-e^2\right)")
 PROPORTIONAL = Equation(
     "All moduli relax in proportion: they are the elastic moduli times one function of time",
     r"E(z,t) = E(z)\,\varphi(t), \quad \varphi(t) = \frac{G(t)}{G}",
@@ -260,8 +252,7 @@ VISCOELASTIC = Chapter(
             picture=Caption(
                 "harmonic",
                 "A small oscillation",
-                "Storage stiffness (in phase with the motion), loss stiffness (a quarter of a cycle ahead), and "
-                "their ratio.",
+                "Storage stiffness (in phase), loss stiffness (a quarter of a cycle ahead), and their ratio.",
             ),
             curves=(
                 ("angular_frequency", "storage_stiffness"),
@@ -285,9 +276,7 @@ VISCOELASTIC = Chapter(
             velocity="1 m/s",
             count=100,
             tolerance=1e-3,
-            picture=Caption(
-                "impact", "The impact", ("Force, velocity, depth and contact radius until the body separates.")
-            ),
+            picture=Caption("impact", "The impact", "Force, velocity, depth and radius until separation."),
             curves=(("depth", "force"), ("time", "force"), ("time", "velocity")),
             pictured=PicturedContact.NONE,
             formulas=followed_by(_hereditary_formulas, EQUATION_OF_MOTION, RESTITUTION),

@@ -21,10 +21,8 @@ ALONG = Equation(
     "relax alike, because Poisson's ratios are constant",
     r"q_x(x,t) = \int_0^t G^*(t-t')\,\frac{\partial u_t(x,t')}{\partial t'}\,\mathrm{d}t'",
 )
-SLIDES = Equation("The spring slides where this load reaches the friction limit", r"|q_x(x,t)| \le \mu\,q(x,t)")
-SHIFTED = Equation(
-    ("The sum of the spring forces is the tangential force"), r"F_x(t) = 2\int_0^{a(t)} q_x(x,t)\,\mathrm{d}x"
-)
+SLIDES = Equation("It slides where this load reaches the friction limit", r"|q_x(x,t)| \le \mu\,q(x,t)")
+SHIFTED = Equation("The spring forces add up to the tangential force", r"F_x(t) = 2\int_0^{a(t)} q_x(x,t)\,\mathrm{d}x")
 LOSSES = Equation(
     "The work is stored, dissipated in the bodies, or dissipated by friction",
     r"\int F_N\,\mathrm{d}d + \int F_x\,\mathrm{d}u_x = U + W_b + W_f",
@@ -39,9 +37,7 @@ AROUND = Equation(
     r"q_\theta(x,t) = x\int_0^t 8\,G_t(t-t')\,\frac{\mathrm{d}\varphi}{\mathrm{d}t'}\,\mathrm{d}t', \quad "
     r"|q_\theta| \le 4\mu\,x\int_x^a \frac{p(r,t)\,\mathrm{d}r}{\sqrt{r^2-x^2}}",
 )
-TURNED = Equation(
-    ("The torque is the moment of the spring forces"), r"M_z(t) = 2\int_0^{a(t)} x\,q_\theta(x,t)\,\mathrm{d}x"
-)
+TURNED = Equation("Torque of the spring forces", r"M_z(t) = 2\int_0^{a(t)} x\,q_\theta(x,t)\,\mathrm{d}x")
 TWIST_LOSSES = Equation(
     "The work is stored, dissipated in the bodies, or dissipated by friction",
     r"\int F_N\,\mathrm{d}d + \int M_z\,\mathrm{d}\varphi = U + W_b + W_f",
@@ -51,7 +47,7 @@ PASSING_SPRINGS = Equation(
     r"q(x) = \int_x^a E^*\left(\frac{x'-x}{v}\right)\,g'(x')\,\mathrm{d}x'",
 )
 BORNE_LOAD = Equation(
-    ("until it separates; the sum of the spring forces is the normal force"), r"F_N = \int_{x_2}^a q(x)\,\mathrm{d}x"
+    "until it separates; the spring forces add up to the normal force", r"F_N = \int_{x_2}^a q(x)\,\mathrm{d}x"
 )
 RESISTANCE = Equation(
     "The front carries more load than the back, so the one-dimensional foundation resists the motion; the resistance "
@@ -67,15 +63,12 @@ OPENING = Equation(
     r"\frac{c_N(a)\,(g(a)-d)^2}{2\pi a} = w_0\left[1+\left(\frac{|\dot{a}|}{v_0}\right)^n\right]",
 )
 SATURATING = Equation(
-    "The speed of the contact edge follows from the energy release rate; at high speed the work of adhesion has a "
-    "limit",
+    "The edge speed follows from the energy release rate; at high speed the work of adhesion has a limit",
     r"\frac{c_N(a)\,(g(a)-d)^2}{2\pi a} = w(|\dot{a}|), \quad w(0) = w_0, \quad w(v_0) = \frac{w_0+w_\infty}{2}, "
     r"\quad w \to w_\infty",
 )
 MACHINE = Equation("while the drive of the machine moves", r"D(t) = d + \frac{F_N}{k_m}")
-SPENT_WORK = Equation(
-    ("The part of the machine's work that is not stored is dissipated"), r"\int F_N\,\mathrm{d}D = U + W"
-)
+SPENT_WORK = Equation("Work of the machine that is not stored is dissipated", r"\int F_N\,\mathrm{d}D = U + W")
 
 
 def _peeling_formulas(problem: Any) -> tuple[Equation, ...]:
@@ -149,8 +142,7 @@ VISCOELASTIC_SURFACES = Chapter(
             picture=Caption(
                 "pulled_off",
                 "Pull-off from rubber",
-                "Force over the travel of the machine, depth and contact radius over time, and the speed of the "
-                "contact edge.",
+                "Force over machine travel, depth and contact radius over time, and contact edge speed.",
             ),
             curves=(("position", "force"), ("time", "radius"), ("time", "crack_speed")),
             pictured=PicturedContact.NONE,
@@ -187,22 +179,14 @@ VISCOELASTIC_SURFACES = Chapter(
         "friction_damping": answer(
             "winkler.problems.friction.damping:FrictionDamping",
             headline=("loss_per_cycle", "friction_loss", "bulk_loss", "loss_factor", "secant_stiffness", "shear_force"),
-            picture=Caption(
-                "damping",
-                "Damping by friction",
-                ("Dissipated energies and loss factor over the amplitude, and the largest loop."),
-            ),
+            picture=Caption("damping", "Damping by friction", "Energy loss and loss factor, and the largest loop."),
             pictured=PicturedContact.NONE,
             formulas=followed_by(relaxing_formulas, SPRINGS, FORCE, ALONG, SLIDES, SHIFTED, CYCLE_LOSSES),
         ),
         "bimodal_damping": answer(
             "winkler.problems.friction.bimodal_damping:BimodalDamping",
             headline=("loss_per_cycle", "friction_loss", "bulk_loss", "pressing_loss", "loss_stiffness"),
-            picture=Caption(
-                "damping",
-                "Damping by friction",
-                ("Dissipated energy of every closed cycle of depth and tangential displacement."),
-            ),
+            picture=Caption("damping", "Damping by friction", "Energy dissipated in every closed cycle."),
             pictured=PicturedContact.NONE,
             formulas=followed_by(relaxing_formulas, SPRINGS, DETACHMENT, FORCE, ALONG, SLIDES, SHIFTED, CYCLE_LOSSES),
         ),

@@ -18,8 +18,7 @@ SLIP = Equation(
     r"s(r) = \frac{2}{\pi}\int_0^r \frac{U-u_t(x)}{\sqrt{r^2-x^2}}\,\mathrm{d}x",
 )
 FRETTING_RATE = Equation(
-    "In each cycle every point slips four times this distance; the worn depth is proportional to the pressure "
-    "(Archard's law)",
+    "Each cycle every point slips four times this distance; worn depth is proportional to pressure (Archard)",
     r"\frac{\mathrm{d}f}{\mathrm{d}n} = 4\,\kappa\,p(r)\,s(r)",
 )
 SLIDING_RATE = Equation(
@@ -111,8 +110,7 @@ WEAR = Chapter(
             picture=Caption(
                 "sliding",
                 "Worn by sliding",
-                "Profiles, worn depth and pressure after several distances; contact, wear volume and mean pressure "
-                "over the distance.",
+                "Profiles, worn depth, pressure; contact, wear volume and mean pressure over the distance.",
             ),
             curves=(("distance", "worn_volume"), ("distance", "radius"), ("distance", "mean_pressure")),
             pictured=PicturedContact.NONE,

@@ -165,16 +165,14 @@ RUBBING: dict[str, Word] = {
     "speed": Word("v", "m/s", "speed along the surface"),
     "crack_speed": Word(r"\dot{a}", "m/s", "how fast the edge of the contact recedes"),
     "lowest_force": Word(r"F_\mathrm{min}", "N", "lowest force since the beginning"),
-    "reference_speed": Word(
-        "v_0", "m/s", ("crack speed above which the work of opening is markedly larger than at rest")
-    ),
+    "reference_speed": Word("v_0", "m/s", "crack speed above which the work of opening clearly exceeds that at rest"),
     "fast_work": Word(r"w_\infty", "J/m^2", "work of the fastest opening, per area"),
     "friction_loss": Word("W_f", "J", "energy lost to friction since the beginning"),
     "bulk_loss": Word("W_b", "J", "energy lost in the bodies since the beginning"),
     "sticking": Word("", None, "which springs stick"),
     "leading_edge": Word("x_1", "m", "where the contact begins, ahead of the lowest point of a body that rolls"),
     "trailing_edge": Word(
-        "x_2", "m", ("position at which the springs separate behind a sliding body, negative behind the middle")
+        "x_2", "m", "position of spring separation behind a sliding body, negative behind the middle"
     ),
     "line_shear_force": Word("F_{x,1}", "N", "resistance of the line of springs, before what waves aslant do not lose"),
 }

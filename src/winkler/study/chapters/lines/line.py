@@ -69,9 +69,7 @@ ROLLER_GAP = Equation(
     r"w = z(x)+\frac{y^2}{2R}-\theta x-d+\frac{1}{\pi E^*}\int\frac{p\,\mathrm{d}A}{\sqrt{(x-x_i)^2+(y-y_i)^2}}, "
     r"\quad p \ge 0, \; w \ge 0, \; p\,w = 0",
 )
-ROLLER_SUMS = Equation(
-    ("Force and moment are sums over the elements"), r"F_N = \int p\,\mathrm{d}A, \quad M = \int p\,x\,\mathrm{d}A"
-)
+ROLLER_SUMS = Equation("Force and moment are sums", r"F_N = \int p\,\mathrm{d}A, \quad M = \int p\,x\,\mathrm{d}A")
 ROLLER_CROWN = Equation(
     "A logarithmic crown beyond a straight part of the half-length s drops by (after Lundberg, with the parameters of "
     "Fujiwara and Kawase)",
@@ -108,10 +106,7 @@ LAYERED_RANGED = Equation(
     "Outside the contact, up to c, the adhesive stress acts; G is then the transform of pressure and adhesive stress",
     r"P = E^*\,(w(a)+\beta_0) - 2\sigma_0\sqrt{c^2-a^2}",
 )
-RANGED = Equation(
-    "Outside the contact, up to c, the adhesive stress acts",
-    r"P = E^*\,w(a) - 2\sigma_0\sqrt{c^2-a^2}",
-)
+RANGED = Equation("Outside the contact, up to c, the adhesive stress acts", r"P = E^*\,w(a) - 2\sigma_0\sqrt{c^2-a^2}")
 RANGE_END = Equation("which ends where the gap equals the range of the attraction", r"h(c) = \frac{\gamma}{\sigma_0}")
 GRADED_LOAD = Equation(
     "Load per length of the profile on bodies graded by the power k",
@@ -247,8 +242,7 @@ LINE = Chapter(
             picture=Caption(
                 "line",
                 "The contact",
-                "Pressure and deformed shape; for many loads half-width and pressures, and for layers on a rigid "
-                "base the depth.",
+                "Pressure and deformed shape; for many loads half-width, pressures and (on a rigid base) depth.",
             ),
             curves=(("force_per_length", "half_width"), ("force_per_length", "peak_pressure")),
             pictured=PicturedContact.NONE,
@@ -294,9 +288,7 @@ LINE = Chapter(
             says={"pull_off_force_per_length": "the body pulls off at {pull_off_force_per_length:size}"},
             bed=STICKY_ROLLER,
             load={"kind": "line_force", "force_per_length": "1 N/m"},
-            picture=Caption(
-                "line_adhesion", "The contact", ("Pressure and deformed shape; for many loads the half-width.")
-            ),
+            picture=Caption("line_adhesion", "The contact", "Pressure and shape; for many loads the half-width."),
             curves=(("force_per_length", "half_width"),),
             pictured=PicturedContact.NONE,
             formulas=line_adhesion_formulas,
@@ -315,9 +307,7 @@ LINE = Chapter(
             bed=WAVES,
             pitch="1 mm",
             load={"kind": "nominal_pressure", "nominal_pressure": "100 MPa"},
-            picture=Caption(
-                "waves", "The contact", ("Pressure and deformed shape; for many loads contact width and pressures.")
-            ),
+            picture=Caption("waves", "The contact", "Pressure and shape; for many loads width and pressures."),
             curves=(("nominal_pressure", "contact_share"), ("nominal_pressure", "peak_pressure")),
             pictured=PicturedContact.NONE,
             formulas=periodic_formulas,
@@ -374,11 +364,7 @@ LINE = Chapter(
             headline=("force_per_length", "half_width", "z", "mean_pressure"),
             bed={**ROLLER, "medium": {"kind": "half_space", **STRONG}},
             friction={"kind": "coulomb", "coefficient": 0.1},
-            picture=Caption(
-                "line_shakedown",
-                "Shakedown limit",
-                ("Shear stress on planes parallel to the surface at the shakedown limit."),
-            ),
+            picture=Caption("line_shakedown", "Shakedown limit", "Shear stress parallel to the surface."),
             pictured=PicturedContact.NONE,
             formulas=line_shakedown_formulas,
         ),

@@ -11,18 +11,14 @@ from winkler.study.chapters.viscoelastic import pair_formulas
 TO_AND_FRO = ["0 N/mm", "20 N/mm", "-20 N/mm", "20 N/mm"]
 
 SLIPPING = Equation(
-    "In slip zones the traction is μ times the pressure; in the stick zone it is smaller by μ times the pressure of "
-    "a narrower contact",
+    "In slip zones the traction is μ p; in the stick zone it is smaller by μ times that of a narrower contact",
     r"q(x) = \mu\left[p(x;P) - p(x;\gamma)\right], \quad Q = \mu\,(P-\gamma)",
 )
 HISTORY = Equation(
     "Along a path the traction is a sum of such pressures, one for each load reversal that still has an effect",
     r"q(x) = \sum_j B_j\,p(x;\gamma_j)",
 )
-AHEAD = Equation(
-    "and the slip is the sum of the gaps outside these contacts",
-    r"s(x) = -\sum_j B_j\,h(x;\gamma_j)",
-)
+AHEAD = Equation("and the slip is the sum of the gaps outside these contacts", r"s(x) = -\sum_j B_j\,h(x;\gamma_j)")
 SHIFTED = Equation(
     "A bulk stress in phase with Q displaces these contacts of a cylinder by",
     r"e_j = R\,\frac{1-\nu_1^2}{E_1}\,\frac{\sigma_B}{Q}\,(P-\gamma_j)",

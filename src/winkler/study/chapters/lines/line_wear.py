@@ -12,8 +12,7 @@ PRESSED = {"kind": "line_force", "force_per_length": "100 N/mm"}
 SWING = {"kind": "line_shear_force", "shear_force_per_length": "15 N/mm"}
 
 STUCK = Equation(
-    "Under an oscillating shear force Q the stick zone is the contact under the smaller load γ; wear does not change "
-    "it",
+    "Under an oscillating shear force Q the stick zone is the contact under the load γ; wear does not change it",
     r"\gamma = P - \frac{Q}{\mu} = E^*\,w(c)",
 )
 SLIP = Equation(
@@ -21,8 +20,7 @@ SLIP = Equation(
     r"s(x) = \frac{2\mu}{\pi}\,x\int_c^{x}\frac{w(b)-w(c)}{b\,\sqrt{x^2-b^2}}\,\mathrm{d}b",
 )
 FRETTING_RATE = Equation(
-    "In each cycle every point slips four times this distance; the worn depth is proportional to the pressure "
-    "(Archard's law)",
+    "Each cycle every point slips four times this distance; worn depth is proportional to pressure (Archard)",
     r"\frac{\mathrm{d}f}{\mathrm{d}n} = 4\,\kappa\,p(x)\,s(x)",
 )
 SLIDING_RATE = Equation(
@@ -62,8 +60,7 @@ LINE_WEAR = Chapter(
             picture=Caption(
                 "line_fretting",
                 "Worn by fretting",
-                "Profiles, worn depth and pressure after several numbers of cycles; contact, stick zone, wear volume "
-                "and dissipated energy over the cycles.",
+                "Profiles, worn depth, pressure; contact, stick zone, wear volume and energy over the cycles.",
             ),
             curves=(("cycles", "worn_volume_per_length"), ("cycles", "half_width"), ("cycles", "worn_depth")),
             pictured=PicturedContact.NONE,
@@ -87,8 +84,7 @@ LINE_WEAR = Chapter(
             picture=Caption(
                 "line_sliding",
                 "Worn by sliding",
-                "Profiles, worn depth and pressure after several distances; contact, wear volume and mean pressure "
-                "over the distance.",
+                "Profiles, worn depth, pressure; contact, wear volume and mean pressure over the distance.",
             ),
             curves=(
                 ("distance", "worn_volume_per_length"),

@@ -31,8 +31,7 @@ MEDIUM = Equation(
 )
 
 JOINT = Equation(
-    "Thermal resistance r of the interface at contact spots, or of the medium in the gap u, and spreading of heat in "
-    "both bodies",
+    "Thermal resistance r of contact spots or of the medium in the gap u, and spreading of heat in both bodies",
     r"r\,q + \frac{1}{2\pi}\left(\frac{1}{\lambda_1}+\frac{1}{\lambda_2}\right)\int\frac{q}{s}\,\mathrm{d}A' = "
     r"\Delta T, \quad r = \frac{1}{h_i} \text{ or } \frac{u+M}{\lambda_g}",
 )

@@ -44,10 +44,7 @@ PARTS = Equation(
     "The resistance is the sum of both constriction resistances and of the film resistance over the contact area",
     r"R = R_1+R_2+\frac{\sigma_f}{A}",
 )
-SOFT = Equation(
-    "Voltage at which a metal softens or melts",
-    r"V_s = 2\sqrt{L\,(T_s^2-T_0^2)} \quad (V_f = 0)",
-)
+SOFT = Equation("Voltage at which a metal softens or melts", r"V_s = 2\sqrt{L\,(T_s^2-T_0^2)} \quad (V_f = 0)")
 FLOW = Equation("Pressures do not exceed the hardness; in the plastic limit the contact area is", r"A = \frac{F_N}{H}")
 
 

@@ -12,13 +12,9 @@ SLID = {
     "load": {"kind": "force", "force": "100 N"},
 }
 
-WORN = Equation(
-    "Worn depth of every pixel (Archard)",
-    r"\frac{\mathrm{d}h}{\mathrm{d}s} = \kappa\,p(x,y)",
-)
+WORN = Equation("Worn depth of every pixel (Archard)", r"\frac{\mathrm{d}h}{\mathrm{d}s} = \kappa\,p(x,y)")
 STAGE = Equation(
-    "In each stage of a step the worn depth of a pixel is proportional to its pressure at the end, like the "
-    "deflection of a film",
+    "In each stage of a step the worn depth of a pixel is proportional to its pressure at the end of the stage",
     r"w_1 = w + \gamma\,\kappa\,p_1\,\Delta s, \quad \gamma = 1-\frac{1}{\sqrt{2}}",
 )
 BALANCE = Equation(

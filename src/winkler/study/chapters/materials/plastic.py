@@ -29,8 +29,7 @@ YIELDING = (
 
 BOUNCING = (
     Equation(
-        "The body comes to rest when the work of first loading equals its kinetic energy; it rebounds with the "
-        "recovered energy",
+        "The work of first loading equals the kinetic energy; the body rebounds with the recovered energy",
         r"\frac{m v^2}{2} = \int_0^{d_{max}} F_N\,\mathrm{d}d, \quad "
         r"e^2 = \frac{2}{m v^2}\int_{d_0}^{d_{max}} F_N\,\mathrm{d}d",
     ),
