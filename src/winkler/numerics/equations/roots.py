@@ -10,7 +10,7 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged, WinklerError
 
-__all__ = ["between", "bracketed", "by_blocks", "invert", "rough_root"]
+__all__ = ["between", "by_blocks", "invert", "rough_root"]
 
 MOST_ITERATIONS = 200
 USUAL_ITERATIONS = 10
