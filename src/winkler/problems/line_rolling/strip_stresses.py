@@ -7,6 +7,7 @@ import numpy as np
 from winkler.numerics.equations.highest import highest
 from winkler.numerics.surfaces.strip_elements import linear_potential
 from winkler.numerics.types import Array
+from winkler.problems.line.greatest_stress import Placed
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.line.stress import LineFields
 from winkler.problems.line.yield_statement import strip_yield_notes
@@ -77,5 +78,5 @@ def rolled_yield_notes(contact: LineSolution, strip: RolledStrip) -> tuple[Note,
     for part in strong_parts(medium):
         own = medium.modulus, part.solid.poisson, part.first
         top = highest(lambda *at, own=own: strip_stresses(strip, a, *own, *at).von_mises, grid, rounds=0)
-        found.append(((top.value, *top.place), part))
+        found.append((Placed(top.value, *top.place), part))
     return strip_yield_notes(found, Standing.APPROXIMATE, "near")
