@@ -22,6 +22,8 @@ __all__ = ["DeepStresses", "greatest_below"]
 
 SHALLOWEST = 0.5
 """Smallest depth below the surface that is searched, in pixels; nearer to it the steps between pixels show."""
+BETWEEN = 2.0
+"""Depth, in pixels, from which on a parabola leads from pixel to pixel; above it errs upwards by up to 1.6 %."""
 DEPTH_STEP = 1.4
 """Ratio of neighbouring depths of the search."""
 DEEPEST = 0.6
@@ -165,7 +167,7 @@ def _best_of(stress: Array, pixel: tuple[float, float], z: float) -> tuple[float
     """Return the greatest value in the middle of a pixel, and that of parabolas through it with its place."""
     i, j = (int(part) for part in np.unravel_index(int(np.argmax(stress)), stress.shape))
     value, moved, beside = float(stress[i, j]), [0.0, 0.0], np.arange(-1, 2)
-    if z >= SHALLOWEST * max(pixel):  # nearer to the surface the steps between pixels show
+    if z >= BETWEEN * max(pixel):
         for axis, row in enumerate(
             (stress[:, j].take(i + beside, mode="wrap"), stress[i].take(j + beside, mode="wrap"))
         ):
