@@ -503,7 +503,7 @@ def slip_step(cells: SlipCells, state: SlipState, goal: SlipGoal) -> Reached[Sli
         elif steady:
             change = _steady_shift(cells, state, target / ratio - shear(stack, table, state.top, state.dragged))
     low, high, short = -end, end, 0.0
-    for trial in range(MOST_NEWTON_STEPS + 2):
+    for _ in range(MOST_NEWTON_STEPS + 2):
         top, dragged, after, lost, work = move(stack, table, bound, state, depth, change, found or steady)
         if not found:
             short = target - ratio * shear(stack, table, top, dragged)
