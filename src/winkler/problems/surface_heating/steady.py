@@ -17,7 +17,6 @@ from typing import Annotated, Any, ClassVar
 import numpy as np
 
 from winkler.media.conduction.conductors import HeatConductors
-from winkler.media.relaxing.relaxing_medium import relaxes
 from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import HEATED, MAPPED
 from winkler.problems.heating.input_checks import RubbingBodies, peclet_numbers
@@ -77,7 +76,7 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
         drive the bodies, a number is not finite, the rolling speed is zero, or rolling bodies have other speeds. If a
         SurfaceTangential has no frequency, or its path does not end with a cycle, or another contact has a frequency.
     OutsideValidity
-        If the bodies of a SurfaceTangential relax, so that they are heated inside, too.
+        If the bodies of a SurfaceTangential are viscoelastic.
 
     References
     ----------
@@ -190,12 +189,7 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
 
     @staticmethod
     def _refuse_path(contact: SurfaceTangential) -> None:
-        """Refuse paths without a cycle, bodies that relax and maps without end."""
-        if relaxes(contact.medium):
-            raise OutsideValidity(
-                "SurfaceFrictionHeating: the bodies that fret are viscoelastic and heated inside, too; only frictional "
-                "heat is implemented: give elastic bodies."
-            )
+        """Refuse paths without a cycle, and maps without end."""
         if contact.topography.periodic:
             raise InvalidInput(
                 "SurfaceFrictionHeating: the map that frets is repeated for ever, and its heat has nowhere to flow; "
