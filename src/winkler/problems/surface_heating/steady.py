@@ -161,15 +161,15 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
             )
         if not isinstance(contact, SurfaceLoad):
             if self.first_speed or self.second_speed:
-                known = (
-                    "fret are at rest" if frets else f"roll pass at the speed of SurfaceRolling, {contact.speed:g} m/s"
-                )
+                known = "fret are at rest"
+                if isinstance(contact, SurfaceRolling):
+                    known = f"roll pass at the speed of SurfaceRolling, {contact.speed:g} m/s"
                 raise InvalidInput(
                     f"SurfaceFrictionHeating: first_speed is {self.first_speed:g} m/s and second_speed "
                     f"{self.second_speed:g} m/s, but bodies that {known}; leave both out."
                 )
             if isinstance(contact, SurfaceTangential):
-                self._refuse_path(contact)
+                _refuse_path(contact)
             return
         if contact.periodic or min(contact.pressure.shape) < FEWEST_PIXELS:
             raise InvalidInput(
@@ -185,20 +185,6 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
                 f"SurfaceFrictionHeating: the tractions would push the bodies on, with up to {-worst:.3g} W/m^2; they "
                 "act on the first body and point to where the second one slides over it: change the sign of "
                 "x_traction, or of the speeds."
-            )
-
-    @staticmethod
-    def _refuse_path(contact: SurfaceTangential) -> None:
-        """Refuse paths without a cycle, and maps without end."""
-        if contact.topography.periodic:
-            raise InvalidInput(
-                "SurfaceFrictionHeating: the map that frets is repeated for ever, and its heat has nowhere to flow; "
-                "give one that is not periodic."
-            )
-        if _ends(contact) is None:
-            raise InvalidInput(
-                "SurfaceFrictionHeating: the path of the contact does not come back to loads that it had, in the same "
-                "direction; let it end with a closed cycle, as two cycles of an oscillation do."
             )
 
     @property
@@ -302,6 +288,20 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
 
 def _ends(contact: SurfaceTangential) -> tuple[int, int] | None:
     return cycle_ends((contact.path.across, contact._motions()[0]))
+
+
+def _refuse_path(contact: SurfaceTangential) -> None:
+    """Refuse paths without a cycle, and maps without end."""
+    if contact.topography.periodic:
+        raise InvalidInput(
+            "SurfaceFrictionHeating: the map that frets is repeated for ever, and its heat has nowhere to flow; "
+            "give one that is not periodic."
+        )
+    if _ends(contact) is None:
+        raise InvalidInput(
+            "SurfaceFrictionHeating: the path of the contact does not come back to loads that it had, in the same "
+            "direction; let it end with a closed cycle, as two cycles of an oscillation do."
+        )
 
 
 def _cycle(contact: SurfaceTangential) -> tuple[Array, Array, SurfaceTangentialSolution]:
