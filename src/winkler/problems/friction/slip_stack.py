@@ -463,16 +463,17 @@ def _steady_shift(cells: SlipCells, state: SlipState, more: float) -> float:
         start, span = stack.start[ring], stack.stop[ring] - stack.start[ring]
         rate, inner = cells.bound + side * (stack.right[ring] - stack.left[ring]) / span, normal_at(table, start)[1]
         if rate > 0.0 and rate * (force - inner) >= rest:
-            sought, low, high = force - rest / rate, start, front
+            sought, low, gap, high = force - rest / rate, start, front, front
             # of a power of the depth it is the root
-            gap = front = state.depth * max(sought / edge[1], 0.0) ** (edge[1] / (edge[0] * state.depth))
+            front = state.depth * max(sought / edge[1], 0.0) ** (edge[1] / (edge[0] * state.depth))
             for _ in range(MOST_ROOT_STEPS):
                 gap = min(max(front, low), high)
                 here = normal_at(table, gap)
                 front = gap - (here[1] - sought) / here[0] if here[0] > 0.0 else gap
                 if abs(here[1] - sought) <= FORCE_TOLERANCE * edge[1]:
                     break
-            return side * (shift + rate * (high - gap))
+            shift += rate * (high - gap)
+            break
         rest, shift, force, front = rest - rate * (force - inner), shift + rate * (front - start), inner, start
         ring = stack.inner[ring]
     return side * shift

@@ -28,7 +28,7 @@ ROLLING_FLUX = Equation(
 )
 FRETTING_FLUX = Equation(
     "Mean heat flux of a cycle",
-    r"q = f\oint\boldsymbol\tau\cdot\mathrm{d}\mathbf s, \quad Q = \int q\,\mathrm{d}A = f\,W",
+    r"q = f\,\oint\tau\cdot\mathrm{d}s, \quad Q = \int q\,\mathrm{d}A = f\,W",
 )
 SLIDING_FLUX = Equation("Heat flux due to friction", r"q = \tau_x\,(V_2-V_1), \quad Q = \int q\,\mathrm{d}A")
 WARMED = Equation(
