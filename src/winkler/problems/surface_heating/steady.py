@@ -159,6 +159,14 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
                 f"{self.frequency:g} Hz; "
                 + ("give the cycles per second, in Hz." if frets else "only SurfaceTangential has one: leave it out.")
             )
+        rough = contact if isinstance(contact, SurfaceLoad) else contact.topography
+        shape = (rough.pressure if isinstance(rough, SurfaceLoad) else rough.heights).shape
+        if rough.periodic or min(shape) < FEWEST_PIXELS:
+            raise InvalidInput(
+                f"SurfaceFrictionHeating: the map has {shape[0]} x {shape[1]} pixels and is "
+                f"{'repeated for ever' if rough.periodic else 'finite'}; give one that is not periodic, of at least "
+                "two pixels in both directions."
+            )
         if not isinstance(contact, SurfaceLoad):
             if self.first_speed or self.second_speed:
                 known = "fret are at rest"
@@ -168,15 +176,12 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
                     f"SurfaceFrictionHeating: first_speed is {self.first_speed:g} m/s and second_speed "
                     f"{self.second_speed:g} m/s, but bodies that {known}; leave both out."
                 )
-            if isinstance(contact, SurfaceTangential):
-                _refuse_path(contact)
+            if isinstance(contact, SurfaceTangential) and _ends(contact) is None:
+                raise InvalidInput(
+                    "SurfaceFrictionHeating: the path of the contact does not come back to loads that it had, in the "
+                    "same direction; let it end with a closed cycle, as two cycles of an oscillation do."
+                )
             return
-        if contact.periodic or min(contact.pressure.shape) < FEWEST_PIXELS:
-            raise InvalidInput(
-                f"SurfaceFrictionHeating: the map has {contact.pressure.shape[0]} x {contact.pressure.shape[1]} "
-                f"pixels and is {'repeated for ever' if contact.periodic else 'finite'}; give one that is not "
-                "periodic, of at least two pixels in both directions."
-            )
         if not np.any(contact.pressure > 0.0):
             raise InvalidInput("SurfaceFrictionHeating: no pressure is positive, so nothing touches; give a load.")
         worst = float(np.min(self._dragged(contact)))
@@ -253,12 +258,14 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
     def gathered(self, states: Iterable[SurfaceHeatState]) -> SurfaceFrictionHeatingSolution[Q]:
         """Return the solution made of these states, of all creepages or of the first ones."""
         reached = list(states)
-        contact: SurfaceRollingSolution[Q] | SurfaceLoad | SurfaceTangentialSolution
-        if not isinstance(self.contact, SurfaceRolling):
-            problem, contact, shape = self, reached[-1].march or self.contact, ()
-        else:
+        contact: SurfaceRollingSolution[Q] | SurfaceLoad | SurfaceTangentialSolution | None = reached[-1].march
+        problem, shape = self, ()
+        if isinstance(self.contact, SurfaceRolling):
             contact = self.contact.gathered([state.rolled for state in reached if state.rolled is not None])
             problem, shape = dataclasses.replace(self, contact=contact.problem), np.shape(contact.force)
+        elif isinstance(self.contact, SurfaceLoad):
+            contact = self.contact
+        assert contact is not None
         names = [field.name for field in dataclasses.fields(SurfaceFrictionHeatingSolution) if field.name not in APART]
         rows = {name: np.array([getattr(state, name) for state in reached]) for name in names}
         columns: dict[str, Q] = {name: shaped(row, shape) for name, row in rows.items()}
@@ -288,20 +295,6 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
 
 def _ends(contact: SurfaceTangential) -> tuple[int, int] | None:
     return cycle_ends((contact.path.across, contact._motions()[0]))
-
-
-def _refuse_path(contact: SurfaceTangential) -> None:
-    """Refuse paths without a cycle, and maps without end."""
-    if contact.topography.periodic:
-        raise InvalidInput(
-            "SurfaceFrictionHeating: the map that frets is repeated for ever, and its heat has nowhere to flow; "
-            "give one that is not periodic."
-        )
-    if _ends(contact) is None:
-        raise InvalidInput(
-            "SurfaceFrictionHeating: the path of the contact does not come back to loads that it had, in the same "
-            "direction; let it end with a closed cycle, as two cycles of an oscillation do."
-        )
 
 
 def _cycle(contact: SurfaceTangential) -> tuple[Array, Array, SurfaceTangentialSolution]:
