@@ -73,6 +73,7 @@ Y = np.linspace(-0.5, 0.5, 11)
 PAIR = wk.CrossProfile(Y, 0.0 * Y), wk.CrossProfile(Y, 0.5 * Y**2)
 ROLLER = 0.2, 0.5, wk.CrownedEnds(2.0)
 SHEAR = wk.Path.through(LOAD, wk.ShearForce([0.0, 0.0005]))
+FRETS = wk.Path.through(LOAD, wk.ShearForce([0.0, 0.0005, -0.0005, 0.0005, -0.0005]))
 ON_SURFACES = {
     "FrictionHeating, ellipse": lambda medium: wk.FrictionHeating(
         wk.EllipticIndentation(BODIES, medium, LOAD), MU, STEEL, 3e-5
@@ -91,6 +92,9 @@ ON_SURFACES = {
     "RoughContact": lambda medium: wk.RoughContact(SPECTRUM, medium, 1.0, LOAD, realisations=2, count=128),
     "SurfaceAdhesion": lambda medium: wk.SurfaceAdhesion(HILL, medium, FAR, wk.Depth([0.005, 0.01])),
     "SurfaceContact": lambda medium: wk.SurfaceContact(HILL, medium, LOAD),
+    "SurfaceFrictionHeating": lambda medium: wk.SurfaceFrictionHeating(
+        wk.SurfaceTangential(HILL, medium, MU, FRETS), STEEL, frequency=100.0
+    ),
     "SurfaceRolling": lambda medium: wk.SurfaceRolling(HILL, medium, LOAD, MU, wk.Creepage(1e-2)),
     "SurfaceRollingStart": lambda medium: wk.SurfaceRollingStart(HILL, medium, LOAD, MU, wk.Creepage(1e-2), 0.1),
     "SurfaceTangential": lambda medium: wk.SurfaceTangential(HILL, medium, MU, SHEAR),
@@ -144,7 +148,8 @@ def by_example(name: str, medium: Any) -> Any:
 def test_all_problems_on_a_bed_or_a_surface_are_walked():
     assert len(PROBLEMS) >= 44
     assert {name.split(",")[0] for name in ON_SURFACES} == {
-        *(name for name, field in TAKEN.items() if field not in ("bed", "contact")), "FrictionHeating",
+        *(name for name, field in TAKEN.items() if field not in ("bed", "contact")),
+        *("FrictionHeating", "SurfaceFrictionHeating"),
     }  # fmt: skip
 
 

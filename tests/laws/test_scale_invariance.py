@@ -147,7 +147,7 @@ ROUNDED: dict[tuple[str, str], Rounded] = {
     ("SurfaceFrictionHeatingSolution", "mismatch"): ERROR,
     **{
         ("SurfaceFrictionHeatingSolution", name): Rounded(1e-3, "stick and slip have a tolerance of 1e-7 of the loss")
-        for name in ("heat_rate", "creep_power", "max_temperature", "mean_temperature", "grid_error")
+        for name in ("heat_rate", "creep_power", "max_temperature", "mean_temperature", "grid_error", "swing")
     },
     **{
         ("HeldContactsSolution", name): Rounded(1e-7, "least squares whose derivatives are quotients of differences")
@@ -294,6 +294,16 @@ def assert_same(problem: Any, changes: list[Units]) -> None:
 def test_every_problem_in_other_units(name):
     """Powers of ten find what powers of two find and more, to two digits less; these are among the slow tests."""
     assert_same(specimen(name), [DECIMAL])
+
+
+def test_a_map_that_frets_in_other_units():
+    """The example of its kind rolls."""
+    steel, conductor = wk.Elastic(210e9, 0.3), wk.ThermalConductor(45.0, 12e-6)
+    ball = wk.SampledProfile([0.5e-3, 0.5e-3], wk.Paraboloid(10e-3), (24, 24))
+    path = wk.Path.oscillation(force=100.0, amplitude=1e-6, cycles=2, count=8)
+    fretted = wk.SurfaceTangential(ball, wk.HalfSpace(steel, steel), wk.Coulomb(0.5), path)
+    pair = wk.HeatConductors(conductor, conductor)
+    assert_same(wk.SurfaceFrictionHeating(fretted, pair, frequency=100.0), [DECIMAL, *OTHERS])
 
 
 @pytest.mark.few(0, slow=12)

@@ -302,3 +302,139 @@ def test_what_is_left_counts_against_the_rise():
             if "one temperature in every" in note.statement
         ]
         assert note.standing is standing
+
+
+IRON, COPPER = wk.ThermalConductor(45.0, 12e-6), wk.ThermalConductor(200.0, 90e-6)
+PAIR = wk.HeatConductors(IRON, COPPER)
+NO_POISSON = wk.Elastic(210e9, 0.0)
+
+
+def to_and_fro(amplitude: float, count: int) -> wk.Path:
+    return wk.Path.oscillation(force=100.0, amplitude=amplitude, cycles=2, count=count)
+
+
+STEADY = to_and_fro(1e-6, 80)
+
+
+def fretting_ball(path: wk.Path, medium=None, pixels: int = 64) -> tuple:
+    """A ball on pixels and the round contact, which has slip along the motion alone without Poisson's ratio."""
+    medium = wk.HalfSpace(NO_POISSON, NO_POISSON) if medium is None else medium
+    bed = wk.Foundation(wk.Paraboloid(10e-3), medium)
+    side = 2.4 * float(wk.Indentation(bed, wk.Force(float(np.max(path.across)))).solve().radius)
+    ball = wk.SampledProfile([side, side], wk.Paraboloid(10e-3), (pixels, pixels))
+    return wk.SurfaceTangential(ball, medium, wk.Coulomb(0.5), path), wk.Tangential(bed, wk.Coulomb(0.5), path)
+
+
+def varying() -> wk.Path:
+    turn = 2.0 * np.pi * np.linspace(0.0, 2.0, 161)
+    return wk.Path(turn, wk.Force(100.0 + 30.0 * np.sin(turn + 0.7)), wk.Shift(2e-6 * np.sin(turn)))
+
+
+@pytest.mark.parametrize(
+    ("path", "rings"),
+    [(to_and_fro(1e-6, 16), to_and_fro(1e-6, 160)), (to_and_fro(6e-6, 16), to_and_fro(6e-6, 160)), (varying(),) * 2],
+    ids=["partial slip", "sliding", "load varies"],
+)
+def test_a_ball_that_frets_is_as_warm_as_the_round_one(path, rings):
+    """On 64 pixels: heat 0.2 %, greatest and mean temperature 0.5 %; the round one goes by rings, not by pixels."""
+    (mapped, _), (_, whole) = fretting_ball(path), fretting_ball(rings)
+    warm = wk.SurfaceFrictionHeating(mapped, PAIR, frequency=100.0).solve()
+    ring = wk.FrettingHeat(whole, 100.0, PAIR).solve()
+    assert warm.heat_rate == pytest.approx(ring.heat_rate, rel=2e-3)
+    assert warm.max_temperature == pytest.approx(ring.max_temperature, rel=5e-3)
+    assert warm.mean_temperature == pytest.approx(ring.mean_temperature, rel=5e-3)
+    assert warm.first_share == pytest.approx(ring.first_share, rel=1e-9)
+    assert warm.swing == pytest.approx(ring.swing, rel=1e-2)
+    assert warm.first_peclet == warm.second_peclet == 0.0
+
+
+@pytest.mark.slow
+def test_the_heat_of_a_fretting_ball_converges_to_the_rings():
+    """A narrow ring slips: where it is two pixels wide the heat is good to a per cent, and the note knows it."""
+    path = to_and_fro(0.3e-6, 20)
+    misses, standing = [], []
+    for pixels in (24, 48, 96):
+        mapped, whole = fretting_ball(path, pixels=pixels)
+        warm = wk.SurfaceFrictionHeating(mapped, PAIR, frequency=100.0).solve()
+        misses.append(abs(warm.heat_rate / (100.0 * whole.solve().loss_per_cycle) - 1.0))
+        (note,) = [note for note in warm.validity if "pixels slip" in note.statement]
+        standing.append(note.standing)
+    assert misses[0] > misses[1] > misses[2]
+    assert misses[1] < 0.01
+    assert misses[2] < 0.003
+    assert standing[0] is Standing.APPROXIMATE
+    assert standing[2] is Standing.ASYMPTOTIC
+
+
+@pytest.mark.slow
+def test_a_ball_that_frets_on_a_layer_is_as_warm_as_the_round_one():
+    """Rings on the layer's own kernels; maps neglect the normal displacements by tractions, as the rings do."""
+    layer = wk.Layer(wk.Elastic(400e9, 0.0), 50e-6)
+    mapped, whole = fretting_ball(STEADY, wk.CoatedHalfSpace([layer], NO_POISSON, wk.Elastic(1e15, 0.0)))
+    warm = wk.SurfaceFrictionHeating(mapped, PAIR, frequency=100.0).solve()
+    ring = wk.FrettingHeat(whole, 100.0, PAIR).solve()
+    assert warm.heat_rate == pytest.approx(ring.heat_rate, rel=0.01)
+    assert warm.max_temperature == pytest.approx(ring.max_temperature, rel=0.01)
+
+
+def test_the_heat_of_fretting_is_the_loss_of_a_cycle():
+    """An oval that is pushed askew and turned: flux times time is what the forces spend on the way, to a per cent."""
+    oval = wk.SampledProfile([0.5e-3, 0.7e-3], wk.CurvedBodies(8e-3, 16e-3), (24, 32))
+    way = 1.5e-6 * np.sin(2.0 * np.pi * np.linspace(0.0, 2.0, 121))
+    shift = np.stack([0.3 * way, way], axis=1)
+    path = wk.Path(np.arange(121.0), wk.Force(60.0), wk.Shift(shift))
+    steel = wk.HalfSpace(wk.Elastic(210e9, 0.3), wk.Elastic(210e9, 0.3))
+    fretted = wk.SurfaceTangential(oval, steel, wk.Coulomb(0.5), path, twist=wk.Angle(2e3 * way))
+    warm = wk.SurfaceFrictionHeating(fretted, PAIR, frequency=40.0).solve()
+    march = warm.contact
+    assert warm.heat_rate == pytest.approx(40.0 * march.loss_per_cycle, rel=1e-9)
+    assert warm.creep_power == pytest.approx(warm.heat_rate, rel=1e-9)
+    force = np.column_stack([march.shear_force, march.torque])[60:]
+    turned = np.column_stack([march.shift, march.angle])[60:]
+    spent = float(np.sum(0.5 * (force[1:] + force[:-1]) * np.diff(turned, axis=0)))
+    assert warm.heat_rate == pytest.approx(40.0 * spent, rel=0.01)
+    hot, cold = (
+        wk.SurfaceFrictionHeating(fretted, PAIR, second_bulk_temperature=8.0, frequency=rate).solve().last
+        for rate in (80.0, 1e-9)
+    )
+    risen = hot.first_temperature - cold.first_temperature
+    np.testing.assert_allclose(risen, 2.0 * warm.last.first_temperature, atol=1e-5 * warm.max_temperature)
+
+
+def test_fretting_maps_that_are_refused():
+    mapped, _ = fretting_ball(STEADY, pixels=16)
+    load = ball(9)
+    rubber = wk.StandardSolid(1e9, 1e9, 1.0, poisson=0.5)
+    waves = wk.Topography(1e-6 * np.cos(2.0 * np.pi * np.add.outer(np.arange(8), np.arange(8)) / 8), [1e-3] * 2, True)
+    for changed, words in (
+        ({"frequency": 0.0}, "give the cycles per second"),
+        ({"contact": load}, "leave it out"),
+        ({"first_speed": 1.0}, "fret are at rest"),
+        ({"contact": dataclasses.replace(mapped, path=wk.Path.through(wk.Force(100.0), wk.Shift([0.0, 1e-6])))},
+         "does not come back"),
+        ({"contact": dataclasses.replace(mapped, topography=waves)}, "repeated for ever"),
+    ):  # fmt: skip
+        given = {"contact": mapped, "conductors": STEELS, "frequency": 100.0}
+        with pytest.raises(InvalidInput, match=words):
+            wk.SurfaceFrictionHeating(**(given | changed))
+    layers = wk.ViscoelasticCoatedHalfSpace([wk.ViscoelasticLayer(rubber, 1e-4)], NO_POISSON)
+    for relaxing in (wk.ViscoelasticHalfSpace(rubber), layers):
+        with pytest.raises(OutsideValidity, match="so no single value exists"):
+            wk.SurfaceFrictionHeating(dataclasses.replace(mapped, medium=relaxing), STEELS, frequency=1.0)
+    once = dataclasses.replace(mapped, path=wk.Path.oscillation(force=100.0, amplitude=1e-6, count=20))
+    with pytest.raises(OutsideValidity, match="append cycles"):
+        wk.SurfaceFrictionHeating(once, STEELS, frequency=1.0).solve()
+    held = dataclasses.replace(mapped, path=wk.Path.through(wk.Force([100.0, 90.0, 100.0, 90.0, 100.0]), wk.Shift(0.0)))
+    with pytest.raises(OutsideValidity, match="nothing slips"):
+        wk.SurfaceFrictionHeating(held, STEELS, frequency=1.0).solve()
+
+
+def test_without_a_diffusivity_the_swing_is_the_mean():
+    """The mean needs conductivities alone; the penetration depth is then left out of the note."""
+    mapped, _ = fretting_ball(to_and_fro(1e-6, 8), pixels=16)
+    only = wk.ThermalConductor(45.0)
+    warm = wk.SurfaceFrictionHeating(mapped, wk.HeatConductors(only, only), frequency=1e6).solve()
+    known = wk.SurfaceFrictionHeating(mapped, wk.HeatConductors(IRON, IRON), frequency=1e6).solve()
+    assert warm.max_temperature == pytest.approx(known.max_temperature, rel=1e-9)
+    assert warm.swing == warm.max_temperature > 5.0 * known.swing
+    assert [sum("penetration depth" in note.statement for note in each.validity) for each in (warm, known)] == [0, 1]

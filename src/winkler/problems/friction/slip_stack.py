@@ -61,6 +61,8 @@ FORCE_TOLERANCE = 4e-15
 """A shear force is met to this part of what friction bears."""
 MOST_NEWTON_STEPS = 200
 """Steps of Newton's method, halving where that leads astray."""
+MOST_ROOT_STEPS = 20
+"""Of Newton's method for a gap, from that of a power of the depth."""
 ROOM = 64
 """Pieces for which room is made at once."""
 
@@ -447,6 +449,36 @@ def _stiffness(stack: SlipStack, table: Any, top: int, depth: float, before: flo
     return total + (stack.zeroth[ring] if ring >= 0 else 0.0)
 
 
+def _steady_shift(cells: SlipCells, state: SlipState, more: float) -> float:
+    r"""Return the shift that adds a shear force over the ratio [N], under a steady depth.
+
+    Where slip comes from a gap in to another one, the bodies shift by what the springs lacked to their bound, and
+    all within takes part: :math:`\int K\,\mathrm d\gamma=F` of the frictionless contact, times the slope of that lack.
+    """
+    stack, table, side = cells.stack, cells.table, 1.0 if more > 0.0 else -1.0
+    rest, shift, front, ring = abs(more), 0.0, state.depth, state.top
+    edge = normal_at(table, front)
+    force = edge[1]
+    while ring >= 0:
+        start, span = stack.start[ring], stack.stop[ring] - stack.start[ring]
+        rate, inner = cells.bound + side * (stack.right[ring] - stack.left[ring]) / span, normal_at(table, start)[1]
+        if rate > 0.0 and rate * (force - inner) >= rest:
+            sought, low, gap, high = force - rest / rate, start, front, front
+            # of a power of the depth it is the root
+            front = state.depth * max(sought / edge[1], 0.0) ** (edge[1] / (edge[0] * state.depth))
+            for _ in range(MOST_ROOT_STEPS):
+                gap = min(max(front, low), high)
+                here = normal_at(table, gap)
+                front = gap - (here[1] - sought) / here[0] if here[0] > 0.0 else gap
+                if abs(here[1] - sought) <= FORCE_TOLERANCE * edge[1]:
+                    break
+            shift += rate * (high - gap)
+            break
+        rest, shift, force, front = rest - rate * (force - inner), shift + rate * (front - start), inner, start
+        ring = stack.inner[ring]
+    return side * shift
+
+
 def slip_step(cells: SlipCells, state: SlipState, goal: SlipGoal) -> Reached[SlipState]:
     """Return the springs after a step that is straight in depth and shift, to a shift or to a shear force.
 
@@ -454,13 +486,14 @@ def slip_step(cells: SlipCells, state: SlipState, goal: SlipGoal) -> Reached[Sli
     """
     stack, table, bound, ratio = cells.stack, cells.table, cells.bound, cells.ratio
     depth, target, before = goal.depth, goal.along, state.depth
-    change, most, end, found = target - state.shift, 0.0, 0.0, cells.driven
+    change, most, end, found, steady = target - state.shift, 0.0, 0.0, cells.driven, False
     if not cells.driven:
         force = normal_at(table, depth)[1] if depth > 0.0 else 0.0
         most = cells.coefficient * force if force > 0.0 else 0.0
         if abs(target) > most * (1.0 + SLIDING_TOLERANCE):
             refuse(abs(target), most)
         change, found = 0.0, depth <= 0.0
+        steady = depth == before and not (found or math.isinf(bound))
         # no spring is displaced by more than its bound
         end = 2.0 * bound * (max(depth, abs(depth - before)) + max(before, 0.0))
         if not found and abs(target) >= most * (1.0 - FORCE_TOLERANCE) and not math.isinf(bound):
@@ -468,16 +501,17 @@ def slip_step(cells: SlipCells, state: SlipState, goal: SlipGoal) -> Reached[Sli
             side = 1.0 if target > 0.0 else -1.0
             axis = stack.axis[state.top] + state.dragged if state.top >= 0 else 0.0
             change, found = side * max(bound * depth - side * axis, bound * (depth - before), 0.0), True
+        elif steady:
+            change = _steady_shift(cells, state, target / ratio - shear(stack, table, state.top, state.dragged))
     low, high, short = -end, end, 0.0
-    for trial in range(MOST_NEWTON_STEPS + 2):
-        top, dragged, after, lost, work = move(stack, table, bound, state, depth, change, found)
-        if found:
+    for _ in range(MOST_NEWTON_STEPS + 2):
+        top, dragged, after, lost, work = move(stack, table, bound, state, depth, change, found or steady)
+        if not found:
+            short = target - ratio * shear(stack, table, top, dragged)
+        if found or (steady and abs(short) <= FORCE_TOLERANCE * most):
             shift = target if cells.driven else state.shift + change
             return Reached(SlipState(top, dragged, after, shift), ratio * work, max(ratio * lost, 0.0))
-        short = target - ratio * shear(stack, table, top, dragged)
         slope = ratio * _stiffness(stack, table, top, after, before)
-        if trial == 0 and depth == before:  # what slid before sticks when it turns: at first no step is too long
-            slope = ratio * normal_at(table, depth)[0]
         if math.isinf(bound):
             change, found = short / slope, True
         elif abs(short) <= FORCE_TOLERANCE * most or high - low <= FORCE_TOLERANCE * end:

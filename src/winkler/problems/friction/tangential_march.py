@@ -149,6 +149,10 @@ class SlipRow(PressedRow[SlipState]):
         top, dragged, depth, _, _ = move(cells.stack, None, self.beta, NEVER_MET, goal.depth, 0.0, False)
         return self.step(SlipState(top, dragged, depth, 0.0), goal)
 
+    def halfway(self, state: SlipState, start: SlipGoal, goal: SlipGoal) -> SlipGoal | None:
+        """Return as `PressedRow.halfway`."""
+        return None if start.depth == goal.depth else super().halfway(state, start, goal)
+
     def step(self, state: SlipState, goal: SlipGoal) -> Reached[SlipState]:
         """Return the springs after a step that is straight in depth and shift, to a shift or to a shear force."""
         return slip_step(self.cells, state, goal)

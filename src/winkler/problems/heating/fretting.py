@@ -13,7 +13,6 @@ smaller of both is the estimate.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import ClassVar
 
@@ -31,6 +30,7 @@ from winkler.problems.assumptions.temperature import temperature_note
 from winkler.problems.friction.pushed import PushedState
 from winkler.problems.friction.tangential import State, Tangential, TangentialSolution
 from winkler.problems.heating.input_checks import RubbingBodies
+from winkler.problems.heating.validity import oscillation_notes, swing_of
 from winkler.problems.viscoelastic.tangential import DraggedState
 from winkler.values.checks.number_checks import Positive
 from winkler.values.errors import InvalidInput, OutsideValidity
@@ -261,10 +261,8 @@ class FrettingHeatSolution:
     @property
     def swing(self) -> float:
         """Estimate of the maximum temperature amplitude about the mean [K]."""
-        effusivity = sum(body.conductivity / math.sqrt(body.diffusivity) for body in self.problem._bodies)
         most = float(np.max(self.flux.at(np.linspace(0.0, self.source.radius, SAMPLES))))
-        plane = most / (effusivity * math.sqrt(4.0 * math.pi * self.problem.frequency))
-        return min(plane, self.max_temperature)
+        return swing_of(self.problem._bodies, self.problem.frequency, most, self.max_temperature)
 
     def temperature(self, r: ArrayLike) -> Array:
         """Return the mean temperature of the surface [K] at distances r [m] from the axis."""
@@ -274,10 +272,8 @@ class FrettingHeatSolution:
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        reach = math.sqrt(
-            max(body.diffusivity for body in self.problem._bodies) / (2.0 * math.pi * self.problem.frequency)
-        )
         stroke = 0.5 * float(np.max(np.ptp(self.march.shift, axis=0))) / self.source.radius
+        moved, swings = oscillation_notes(self.problem._bodies, self.problem.frequency, self.swing, stroke)
         return (
             *self.march.validity,
             Note(
@@ -287,12 +283,7 @@ class FrettingHeatSolution:
                 "to the conductivities gives equal temperatures of both bodies everywhere.",
                 JAEGER,
             ),
-            Note(
-                Assumption.STEADY,
-                Standing.ASYMPTOTIC,
-                f"The heat source moves by {stroke:.2g} of its radius to each side; this motion is neglected.",
-                "the solution itself",
-            ),
+            moved,
             Note(
                 Assumption.RESOLUTION,
                 Standing.APPROXIMATE if self.misfit > LOSS_TOLERANCE else Standing.ASYMPTOTIC,
@@ -301,14 +292,6 @@ class FrettingHeatSolution:
                 "cycle reduce the difference.",
                 "the solution itself",
             ),
-            Note(
-                Assumption.CONDUCTION,
-                Standing.APPROXIMATE,
-                f"The oscillation about the mean, about {self.swing:.3g} K, is an estimate for a heat flux that "
-                "varies as 1 + cos. The estimate is the smaller of two values: the mean temperature, and the "
-                "amplitude of a plane that is heated uniformly. The thermal penetration depth per cycle is "
-                f"{reach:.2g} m.",
-                "one-dimensional diffusion; H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, Oxford 1959",
-            ),
+            swings,
             temperature_note(float(self.max_temperature) + float(self.swing)),
         )

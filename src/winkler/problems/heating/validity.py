@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
 from winkler.laws.heat import EqualMean, FixedShare, HeatPartition
+from winkler.materials.conductor import ThermalConductor
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.types import Array
 from winkler.problems.assumptions.coupling import sliding_note
@@ -20,7 +22,16 @@ from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
 from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["EVEN", "RUBBED", "STEADY_SOURCE", "heating_notes", "moving_notes", "sliding_contact_notes"]
+__all__ = [
+    "EVEN",
+    "RUBBED",
+    "STEADY_SOURCE",
+    "heating_notes",
+    "moving_notes",
+    "oscillation_notes",
+    "sliding_contact_notes",
+    "swing_of",
+]
 
 JAEGER = "J. C. Jaeger, Proc. R. Soc. New South Wales 76 (1942) 203-224"
 BLOK = "H. Blok, The flash temperature concept, Wear 6 (1963) 483-494"
@@ -134,6 +145,56 @@ def moving_notes(
     rise = float(np.max(greatest))
     hottest = temperature_note(rise, "Conductivity and diffusivity") if flux == EVEN else temperature_note(rise)
     return _steady(flux, plated), motion, _sharing(None, greatest, means, partition), hottest
+
+
+def swing_of(bodies: Sequence[ThermalConductor], frequency: float, most: float, mean: float) -> float:
+    """Return an estimate of the temperature amplitude about the mean of a cycle [K].
+
+    Parameters
+    ----------
+    bodies : sequence of ThermalConductor
+        Both bodies.
+    frequency : float
+        Of the cycle [Hz].
+    most, mean : float
+        Greatest mean flux [W/m^2], and greatest mean rise of temperature [K].
+    """
+    effusivity = sum(body.conductivity / math.sqrt(body.diffusivity) for body in bodies)
+    return min(most / (effusivity * math.sqrt(4.0 * math.pi * frequency)), mean) if effusivity > 0.0 else mean
+
+
+def oscillation_notes(
+    bodies: Sequence[ThermalConductor], frequency: float, swing: float, stroke: float
+) -> tuple[Note, Note]:
+    """Return that motion and swing of a cycle are neglected, and estimated.
+
+    Parameters
+    ----------
+    bodies, frequency
+        As of `swing_of`.
+    swing : float
+        Its estimate [K].
+    stroke : float
+        Amplitude of the motion over the radius of the source [-].
+    """
+    reach = math.sqrt(max(body.diffusivity for body in bodies) / (2.0 * math.pi * frequency))
+    deep = f" The thermal penetration depth per cycle is {reach:.2g} m." if reach < math.inf else ""
+    return (
+        Note(
+            Assumption.STEADY,
+            Standing.ASYMPTOTIC,
+            f"The heat source moves by {stroke:.2g} of its radius to each side; this motion is neglected.",
+            "the solution itself",
+        ),
+        Note(
+            Assumption.CONDUCTION,
+            Standing.APPROXIMATE,
+            f"The oscillation about the mean, about {swing:.3g} K, is an estimate for a heat flux that "
+            "varies as 1 + cos. The estimate is the smaller of two values: the mean temperature, and the "
+            f"amplitude of a plane that is heated uniformly.{deep}",
+            "one-dimensional diffusion; H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, Oxford 1959",
+        ),
+    )
 
 
 def _speed(peclets: tuple[Array, Array], overestimate: Array, plated: bool) -> Note:

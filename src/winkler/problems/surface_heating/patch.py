@@ -18,8 +18,9 @@ __all__ = ["HeatedPatch", "half_length"]
 Pair = tuple[float, float]
 COARSEST = 4
 """Pixels of the contact below which no coarser map is compared."""
-ALIKE = 1e-6
-"""Part of the greatest rise within which pixels count as equally hot: the middle of them is its place."""
+ALIKE = 1e-5
+"""Part of the greatest rise within which pixels count as equally hot: the middle of them is its place; what pressures
+leave of symmetry is of this order."""
 NEARLY = 0.05
 """Part of it by which that middle may be colder; else the place is that of one of them and of those beside it."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from winkler.numerics.types import Array
+from winkler.problems.surface_friction.tangential import SurfaceTangentialSolution
 from winkler.problems.surface_rolling.state import SurfaceRollingState
 from winkler.values.value import value, words
 
@@ -41,6 +42,8 @@ class SurfaceHeatState:
         Temperatures of both surfaces [K], within the contact and around it.
     rolled : SurfaceRollingState, optional
         The contact, where it rolls.
+    march : SurfaceTangentialSolution, optional
+        The path of the contact, where it frets.
     """
 
     __words__ = words(
@@ -54,6 +57,7 @@ class SurfaceHeatState:
         first_temperature=("T_1", "K", "temperature of the first surface"),
         second_temperature=("T_2", "K", "temperature of the second surface"),
         rolled=("", None, "contact that rolls"),
+        march=("", None, "path of a contact that frets"),
     )
 
     heat_rate: float
@@ -71,3 +75,4 @@ class SurfaceHeatState:
     first_temperature: Array
     second_temperature: Array
     rolled: SurfaceRollingState | None = None
+    march: SurfaceTangentialSolution | None = None

@@ -10,8 +10,9 @@ surfaces have one temperature wherever they touch (`winkler.numerics.surfaces.sh
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections.abc import Iterable, Iterator
-from typing import Annotated, ClassVar
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 
@@ -19,15 +20,19 @@ from winkler.media.conduction.conductors import HeatConductors
 from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.problems.assumptions.declared import HEATED, MAPPED
 from winkler.problems.heating.input_checks import RubbingBodies, peclet_numbers
+from winkler.problems.heating.validity import oscillation_notes, swing_of
+from winkler.problems.last_cycle import CLOSED, cycle_ends
 from winkler.problems.pressed_shape.surface_load import SurfaceLoad
-from winkler.problems.surface_heating.notes import passing_note, surface_heating_notes
+from winkler.problems.surface_friction.state import SurfaceShearState
+from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
+from winkler.problems.surface_heating.notes import passing_note, slip_zone_note, surface_heating_notes
 from winkler.problems.surface_heating.patch import HeatedPatch, half_length
 from winkler.problems.surface_heating.state import SurfaceHeatState
 from winkler.problems.surface_rolling.state import SurfaceRollingState
 from winkler.problems.surface_rolling.steady import SurfaceRolling, SurfaceRollingSolution
 from winkler.values.checks.field_checks import Condition
-from winkler.values.checks.number_checks import Finite
-from winkler.values.errors import InvalidInput
+from winkler.values.checks.number_checks import Finite, NonNegative
+from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
@@ -39,33 +44,39 @@ APART = ("problem", "contact", "first_peclet", "second_peclet", "last")
 """Fields of a solution that are no numbers of its creepages."""
 
 
-def _passes(contact: SurfaceRolling | SurfaceLoad) -> bool:
-    return isinstance(contact, SurfaceLoad) or contact.speed > 0.0
+def _passes(contact: SurfaceRolling | SurfaceLoad | SurfaceTangential) -> bool:
+    return not isinstance(contact, SurfaceRolling) or contact.speed > 0.0
 
 
 @value
 class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
-    """Heating of bodies that slide along x, or roll with creepage, in contact on a pixel map.
+    """Heating of bodies that slide along x, roll with creepage, or fret, in contact on a pixel map.
 
     Parameters
     ----------
-    contact : SurfaceLoad or SurfaceRolling
+    contact : SurfaceLoad, SurfaceRolling or SurfaceTangential
         Pressures and tractions on the first body: mu p along x if the second body slides over it towards +x. Or a
-        rolling problem with one or more creepages.
+        rolling problem with one or more creepages. Or a path that ends with a closed cycle, repeated without end: two
+        cycles of an oscillation, as the first one differs; temperatures are then means over a cycle.
     conductors : HeatConductors
         Thermal conductors of the bodies: two thick bodies of ThermalConductor, in perfect thermal contact.
     first_speed, second_speed : float, optional
         Velocities along x at which the surfaces pass the contact [m/s], for a SurfaceLoad; by default the bodies are at
-        rest.  Bodies that roll have the speed of their SurfaceRolling.
+        rest.  Bodies that roll have the speed of their SurfaceRolling; those that fret are at rest.
     first_bulk_temperature, second_bulk_temperature : float, optional
         Temperatures of the bodies far from the contact [K], relative to a common level. With the default of zero all
         temperatures are rises.
+    frequency : float, optional
+        Of the cycle of a SurfaceTangential [Hz]; the times of its path are not used.
 
     Raises
     ------
     InvalidInput
         If a body does not conduct heat, the map is periodic or one pixel wide, or there is no pressure. If tractions
-        drive the bodies, a number is not finite, the rolling speed is zero, or rolling bodies have other speeds.
+        drive the bodies, a number is not finite, the rolling speed is zero, or rolling bodies have other speeds. If a
+        SurfaceTangential has no frequency, or its path does not end with a cycle, or another contact has a frequency.
+    OutsideValidity
+        If the bodies of a SurfaceTangential are viscoelastic.
 
     References
     ----------
@@ -101,10 +112,21 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
     >>> warm = SurfaceFrictionHeating(rolling, HeatConductors(conductor, conductor)).solve()
     >>> round(warm.heat_rate / 1e3, 1), round(warm.first_share, 6), warm.x < 0.0
     (3.6, 0.5, True)
+
+    A ball that is pushed to and fro by a micrometre, a hundred times a second:
+
+    >>> from winkler.loading.path import Path
+    >>> from winkler.profiles.power import Paraboloid
+    >>> ball = SampledProfile([0.5e-3, 0.5e-3], Paraboloid(10e-3), (32, 32))
+    >>> path = Path.oscillation(force=100.0, amplitude=1e-6, cycles=2, count=20)
+    >>> fretted = SurfaceTangential(ball, steel, Coulomb(0.5), path)
+    >>> warm = SurfaceFrictionHeating(fretted, HeatConductors(conductor, conductor), frequency=100.0).solve()
+    >>> round(warm.heat_rate / (100.0 * warm.contact.loss_per_cycle), 9)
+    1.0
     """
 
     __words__ = words(
-        contact=("", None, "map of pressures and tractions, or problem of the map that rolls"),
+        contact=("", None, "map of pressures and tractions, or problem of the map that rolls or frets"),
         speeds=("V", "m/s", "velocities of both surfaces along x past the contact"),
         places=("", "m", "middles of the pixels along x and along y"),
         first_bulk_temperature=("T_{1}", "K", "temperature of the first body far from the contact"),
@@ -112,13 +134,15 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
     )
 
     contact: Annotated[
-        SurfaceLoad | SurfaceRolling[Q], Condition(_passes, "give SurfaceRolling a speed in m/s: heat depends on it")
+        SurfaceLoad | SurfaceRolling[Q] | SurfaceTangential,
+        Condition(_passes, "give SurfaceRolling a speed in m/s: heat depends on it"),
     ]
     conductors: HeatConductors
     first_speed: Finite = 0.0
     second_speed: Finite = 0.0
     first_bulk_temperature: Finite = 0.0
     second_bulk_temperature: Finite = 0.0
+    frequency: NonNegative = 0.0
 
     references: ClassVar[tuple[str, ...]] = ("jaeger_1942", "blok_1963", "kalker_1990")
     assumptions: ClassVar[frozenset[Assumption]] = (
@@ -128,20 +152,36 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
     def __post_init__(self) -> None:
         super().__post_init__()
         contact = self.contact
-        if isinstance(contact, SurfaceRolling):
+        frets = isinstance(contact, SurfaceTangential)
+        if frets != (self.frequency > 0.0):
+            raise InvalidInput(
+                f"SurfaceFrictionHeating: the contact is a {type(contact).__name__} and the frequency "
+                f"{self.frequency:g} Hz; "
+                + ("give the cycles per second, in Hz." if frets else "only SurfaceTangential has one: leave it out.")
+            )
+        rough = contact if isinstance(contact, SurfaceLoad) else contact.topography
+        shape = (rough.pressure if isinstance(rough, SurfaceLoad) else rough.heights).shape
+        if rough.periodic or min(shape) < FEWEST_PIXELS:
+            raise InvalidInput(
+                f"SurfaceFrictionHeating: the map has {shape[0]} x {shape[1]} pixels and is "
+                f"{'repeated for ever' if rough.periodic else 'finite'}; give one that is not periodic, of at least "
+                "two pixels in both directions."
+            )
+        if not isinstance(contact, SurfaceLoad):
             if self.first_speed or self.second_speed:
+                known = "fret are at rest"
+                if isinstance(contact, SurfaceRolling):
+                    known = f"roll pass at the speed of SurfaceRolling, {contact.speed:g} m/s"
                 raise InvalidInput(
                     f"SurfaceFrictionHeating: first_speed is {self.first_speed:g} m/s and second_speed "
-                    f"{self.second_speed:g} m/s, but bodies that roll pass at the speed of SurfaceRolling, "
-                    f"{contact.speed:g} m/s; leave both out."
+                    f"{self.second_speed:g} m/s, but bodies that {known}; leave both out."
+                )
+            if isinstance(contact, SurfaceTangential) and _ends(contact) is None:
+                raise InvalidInput(
+                    "SurfaceFrictionHeating: the path of the contact does not come back to loads that it had, in the "
+                    "same direction; let it end with a closed cycle, as two cycles of an oscillation do."
                 )
             return
-        if contact.periodic or min(contact.pressure.shape) < FEWEST_PIXELS:
-            raise InvalidInput(
-                f"SurfaceFrictionHeating: the map has {contact.pressure.shape[0]} x {contact.pressure.shape[1]} "
-                f"pixels and is {'repeated for ever' if contact.periodic else 'finite'}; give one that is not "
-                "periodic, of at least two pixels in both directions."
-            )
         if not np.any(contact.pressure > 0.0):
             raise InvalidInput("SurfaceFrictionHeating: no pressure is positive, so nothing touches; give a load.")
         worst = float(np.min(self._dragged(contact)))
@@ -166,7 +206,7 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
 
     @property
     def places(self) -> tuple[Array, Array]:
-        """Centres of the pixels along x and along y [m]; for rolling bodies relative to the middle of the map."""
+        """Centres of the pixels along x and along y [m]; of height maps relative to the middle of the map."""
         if isinstance(self.contact, SurfaceLoad):
             return self.contact.places
         rough = self.contact.topography
@@ -182,13 +222,17 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
         sliding = self.second_speed - self.first_speed
         return np.asarray(np.where(load.pressure > 0.0, load.loads[1] * sliding, 0.0)) + 0.0
 
-    def _heats(self) -> Iterator[tuple[Array, Array, SurfaceRollingState | None]]:
-        """Yield pressure [Pa] and heat of friction [W/m^2], with the contact of every creepage."""
-        if isinstance(self.contact, SurfaceLoad):
-            yield self.contact.pressure, self._dragged(self.contact), None
-            return
-        for rolled in self.contact.steps():
-            yield rolled.pressure, self.contact.speed * _lost(rolled), rolled
+    def _heats(self) -> Iterator[tuple[Array, Array, dict[str, Any]]]:
+        """Yield pressure [Pa] and heat of friction [W/m^2], with the contact of every creepage, or its path."""
+        match self.contact:
+            case SurfaceLoad():
+                yield self.contact.pressure, self._dragged(self.contact), {}
+            case SurfaceRolling():
+                for rolled in self.contact.steps():
+                    yield rolled.pressure, self.contact.speed * _lost(rolled), {"rolled": rolled}
+            case SurfaceTangential():
+                pressure, lost, march = _cycle(self.contact)
+                yield pressure, self.frequency * lost, {"march": march}
 
     def steps(self) -> Iterator[SurfaceHeatState]:
         """Yield the temperatures, for rolling bodies at every creepage.
@@ -196,29 +240,32 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
         Raises
         ------
         OutsideValidity
-            If the contact reaches the border of a map that rolls, or a Peclet number is above 1e8.
+            If the contact reaches the border of a map that rolls, or a Peclet number is above 1e8. If nothing slips
+            in the last cycle of a path, or this cycle is not closed.
         NotConverged
             If the iteration for stick and slip or for the temperatures does not converge.
         """
         patch: HeatedPatch | None = None
         touching = np.zeros(0, dtype=bool)
-        for pressure, flux, rolled in self._heats():
+        for pressure, flux, contact in self._heats():
             if patch is None or not np.array_equal(pressure > 0.0, touching):
                 touching = pressure > 0.0
                 self._peclets(pressure)
                 owner = type(self).__name__
                 patch = HeatedPatch.of(owner, pressure, self.places, self._bodies, self.speeds, self._bulk)
-            yield dataclasses.replace(patch.heated(flux), rolled=rolled)
+            yield dataclasses.replace(patch.heated(flux), **contact)
 
     def gathered(self, states: Iterable[SurfaceHeatState]) -> SurfaceFrictionHeatingSolution[Q]:
         """Return the solution made of these states, of all creepages or of the first ones."""
         reached = list(states)
-        contact: SurfaceRollingSolution[Q] | SurfaceLoad
-        if isinstance(self.contact, SurfaceLoad):
-            problem, contact, shape = self, self.contact, ()
-        else:
+        contact: SurfaceRollingSolution[Q] | SurfaceLoad | SurfaceTangentialSolution | None = reached[-1].march
+        problem, shape = self, ()
+        if isinstance(self.contact, SurfaceRolling):
             contact = self.contact.gathered([state.rolled for state in reached if state.rolled is not None])
             problem, shape = dataclasses.replace(self, contact=contact.problem), np.shape(contact.force)
+        elif isinstance(self.contact, SurfaceLoad):
+            contact = self.contact
+        assert contact is not None
         names = [field.name for field in dataclasses.fields(SurfaceFrictionHeatingSolution) if field.name not in APART]
         rows = {name: np.array([getattr(state, name) for state in reached]) for name in names}
         columns: dict[str, Q] = {name: shaped(row, shape) for name, row in rows.items()}
@@ -244,6 +291,39 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
         speeds = [np.asarray(speed) for speed in self.speeds]
         first, second = peclet_numbers(type(self).__name__, [half] * 2, speeds, self._bodies)
         return float(first), float(second)
+
+
+def _ends(contact: SurfaceTangential) -> tuple[int, int] | None:
+    return cycle_ends((contact.path.across, contact._motions()[0]))
+
+
+def _cycle(contact: SurfaceTangential) -> tuple[Array, Array, SurfaceTangentialSolution]:
+    """Return the greatest pressures of the last cycle [Pa], its loss per area [J/m^2], and the whole path."""
+    begin, _ = _ends(contact) or (0, 0)
+    pressure, lost = np.zeros((2, *contact.topography.heights.shape))
+
+    def watched() -> Iterator[SurfaceShearState]:
+        for index, state in enumerate(contact.steps()):
+            if index == begin:
+                lost[:] = -state.friction_work
+            if index >= begin:
+                np.maximum(pressure, state.pressure, out=pressure)
+            yield state
+
+    march = contact.gathered(watched())
+    lost += march.last.friction_work
+    if not np.any(lost > 0.0):
+        raise OutsideValidity(
+            "SurfaceFrictionHeating: nothing slips in the last cycle of the path, so there is no heat; increase the "
+            "amplitude, or reduce the load."
+        )
+    gap = march.last_cycle.gap
+    if gap > CLOSED:
+        raise OutsideValidity(
+            f"SurfaceFrictionHeating: the last cycle of the path ends {gap:.2g} of its range from its beginning, so "
+            "that it would not repeat itself; append cycles, as with cycles=2."
+        )
+    return pressure, lost, march
 
 
 def _lost(rolled: SurfaceRollingState) -> Array:
@@ -273,8 +353,8 @@ class SurfaceFrictionHeatingSolution(PerLoad[Q]):
     ----------
     problem : SurfaceFrictionHeating
         The problem that was solved.
-    contact : SurfaceLoad or SurfaceRollingSolution
-        The map, or the contact that rolls with its forces.
+    contact : SurfaceLoad, SurfaceRollingSolution or SurfaceTangentialSolution
+        The map, or the contact that rolls or frets with its forces.
     heat_rate, first_share, exchanged_heat_rate, max_temperature, mean_temperature, mismatch, grid_error
         As in `SurfaceHeatState`, float or ndarray.
     x, y : float or ndarray
@@ -291,7 +371,7 @@ class SurfaceFrictionHeatingSolution(PerLoad[Q]):
     )
 
     problem: SurfaceFrictionHeating[Q]
-    contact: SurfaceLoad | SurfaceRollingSolution[Q]
+    contact: SurfaceLoad | SurfaceRollingSolution[Q] | SurfaceTangentialSolution
     heat_rate: Q
     first_share: Q
     exchanged_heat_rate: Q
@@ -308,19 +388,36 @@ class SurfaceFrictionHeatingSolution(PerLoad[Q]):
     @property
     def creep_power(self) -> Q:
         """Frictional power [W]: forces and moment times creepages and speed; for sliding bodies traction times
-        velocity.
+        velocity; for fretting bodies the loss per cycle times the frequency.
 
         It equals `heat_rate` within the error of the pixels.
         """
         if isinstance(self.contact, SurfaceLoad):
             return self.heat_rate
+        if isinstance(self.contact, SurfaceTangentialSolution):
+            return shaped(np.asarray(self.problem.frequency * self.contact.loss_per_cycle))
         return shaped(self.contact.problem.speed * np.asarray(self.contact.loss_per_distance))
+
+    @property
+    def swing(self) -> float:
+        """Estimate of the maximum temperature amplitude about the mean of fretting bodies [K]; zero of others."""
+        if not isinstance(self.contact, SurfaceTangentialSolution):
+            return 0.0
+        rise, stated = float(np.max(self.max_temperature)) - min(self.problem._bulk), self.problem
+        return swing_of(stated._bodies, stated.frequency, float(np.max(self.last.flux)), rise)
 
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
         peclets = self.first_peclet, self.second_peclet
-        heat = surface_heating_notes(self.last, self.max_temperature, self.grid_error, peclets, self.problem._bulk)
+        hottest = self.max_temperature + self.swing
+        heat = surface_heating_notes(self.last, hottest, self.grid_error, peclets, self.problem._bulk)
+        if isinstance(self.contact, SurfaceTangentialSolution):
+            radius = math.sqrt(float(np.max(self.contact.area)) / math.pi)
+            strokes = (*np.ptp(self.contact.shift, axis=0) / radius, np.ptp(self.contact.angle))
+            stroke = 0.5 * float(max(strokes))
+            swings = oscillation_notes(self.problem._bodies, self.problem.frequency, self.swing, stroke)
+            return (*self.contact.validity, slip_zone_note(self.last), *swings, *heat)
         if isinstance(self.contact, SurfaceLoad) or self.last.rolled is None:
             return heat
         return (*self.contact.validity, passing_note(self.last.rolled), *heat)
