@@ -305,8 +305,8 @@ class FrettingHeatSolution:
                 Assumption.CONDUCTION,
                 Standing.APPROXIMATE,
                 f"The oscillation about the mean, about {self.swing:.3g} K, is an estimate for a heat flux that "
-                "varies as 1 + cos. The estimate is the smaller of two values: the mean temperature, and the "
-                "amplitude of a plane that is heated uniformly. The thermal penetration depth per cycle is "
+                "varies in time as 1 + cos(4 pi f t). The estimate is the smaller of two values: the mean temperature, "
+                "and the amplitude of a plane that is heated uniformly. The thermal penetration depth per cycle is "
                 f"{reach:.2g} m.",
                 "one-dimensional diffusion; H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, Oxford 1959",
             ),
