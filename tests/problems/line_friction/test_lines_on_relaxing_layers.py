@@ -94,9 +94,9 @@ def test_hereditary_sums_over_inverted_waves_agree(young, ratio):
     path = LinePath(load, np.append(0.0, shears), time=np.append(0.0, 60.0 + late))
     ours = wk.LineTangential(wk.LayeredLineFoundation(wk.Paraboloid(1.0), medium), wk.Coulomb(MU), path).solve()
     assert float(ours.half_width[-1]) == pytest.approx(width, rel=2.5e-3)  # a third of one of 250 cells
-    edges = np.linspace(-width, width, 81)
-    bound = MU * np.tile(bed.mean_pressures(edges[40:], width, 0.0), 2)
-    bound[:40] = bound[:39:-1]
+    edges = np.linspace(-width, width, 121)
+    bound = MU * np.tile(bed.mean_pressures(edges[60:], width, 0.0), 2)
+    bound[:60] = bound[:59:-1]
     node, weight = np.polynomial.legendre.leggauss(12)
     panels = np.append(0.0, np.geomspace(1e-3, 21.0, 60)) / thickness
     panels = np.unique(np.concatenate([panels, np.arange(0.0, panels[-1], 6.0 / width)]))
@@ -105,7 +105,7 @@ def test_hereditary_sums_over_inverted_waves_agree(young, ratio):
     solid, on = medium.layers[0].solid, (young / 2.6, 0.3)
     h = edges[1] - edges[0]
     x = np.abs(0.5 * (edges[1:] + edges[:-1])[:, None] - 0.5 * (edges[1:] + edges[:-1]))
-    away = np.arange(80) * h
+    away = np.arange(120) * h
     places = np.rint(x / h).astype(int)
     waves = (np.cos(np.outer(away, xi)) - 1.0) * (weights / xi * 2.0 / xi * np.sin(0.5 * xi * h)) / np.pi
 

@@ -69,6 +69,13 @@ def test_below_a_sharp_tip_the_onset_is_not_known():
     assert "infinite at a sharp tip" in note.statement
 
 
+def test_a_crowned_roller_on_a_half_space_has_the_stress_of_the_ellipse():
+    bodies, medium = wk.CurvedBodies(3.0, 1.0), wk.HalfSpace(BASE)
+    found, _ = share(wk.RollerContact(1.0, 1.5, wk.CrownedEnds(3.0), medium, FORCE, elements=64).solve().validity)
+    known = wk.EllipticIndentation(bodies, medium, FORCE).solve().greatest_stress().value / STRENGTH
+    assert found == pytest.approx(known, rel=1e-2)
+
+
 @pytest.mark.parametrize("young", [0.1, pytest.param(10.0, marks=pytest.mark.slow)])
 def test_a_crowned_roller_is_an_ellipse(young):
     """Slender elements of graded lengths against square pixels; the contact ends before the roller does."""

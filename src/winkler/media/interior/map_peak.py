@@ -158,7 +158,7 @@ def _loaded_span(field: Any) -> float:
     """Return the longer side of the loaded part of a map."""
     loaded = np.any(field.loads != 0.0, axis=0)
     sides = [np.flatnonzero(loaded.any(axis=axis)) for axis in (1, 0)]
-    return max(float(part[-1] - part[0] + 1) * size for part, size in zip(sides, field.pixel, strict=True))
+    return max(float((part[-1] - part[0] + 1) * size) for part, size in zip(sides, field.pixel, strict=True))
 
 
 def _best_of(stress: Array, pixel: tuple[float, float], z: float) -> tuple[float, StressSpot]:

@@ -81,8 +81,10 @@ class BelowSurface:
     def _on_body(self, below: bool) -> tuple[SurfaceLoad, Body]:
         load, medium = self.surface_load, self._medium
         if offers(medium, LayerStack):
-            if below or isinstance(medium.second, Elastic):
-                return (load, medium) if below else (load.reversed(), medium.second)
+            if below:
+                return load, medium
+            if isinstance(medium.second, Elastic):
+                return load.reversed(), medium.second
         elif not isinstance(medium, HomogeneousMedium):
             raise OutsideValidity(
                 f"{type(self).__name__}: the stress below the surface of a height map on a {type(medium).__name__} is "

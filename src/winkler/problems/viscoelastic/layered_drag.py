@@ -149,7 +149,8 @@ class LayeredDrag:
             )
         grid = self._grid(span)
         if not touches.any():
-            load = slips = moved = np.zeros(bounds.size)
+            none: Array = np.zeros(bounds.size)
+            load, slips, moved = none, none, none
             motion = state.motion if by_force else goal
         elif by_force and abs(goal) >= limit * (1.0 - ROUNDING):
             side = math.copysign(1.0, goal)
