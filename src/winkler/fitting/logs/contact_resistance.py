@@ -356,13 +356,14 @@ class MeasuredConstrictionSolution:
             unit = UNITS[PARTS.index(name)]
             ends.append(f"{name} {with_unit(low, unit, 3)} to {with_unit(high, unit, 3)}")
         unknown = [name for name in free if self.interval(name)[0] == 0.0]
-        rest = f"; {' and '.join(unknown)} may be zero" if unknown else ""
+        rest = f"; the true value of {' and '.join(unknown)} may be zero" if unknown else ""
         return Note(
             Assumption.CONDUCTION,
             standing_of(self.scatter, SMALL_SCATTER, LARGE_SCATTER),
-            f"The 95 % intervals are {', '.join(ends)}{rest}. The resistance falls with the force to the power "
-            f"{self.exponent:.3f} ± {self.exponent_error:.2g}, with a scatter of {100 * self.scatter:.2g} %. One "
-            "smooth contact is assumed. Rough bodies conduct through many microcontacts; the exponent and the "
-            "constants of this power law are then different.",
+            f"The 95 % intervals of the parameters are {', '.join(ends)}{rest}. Here film is the resistance of the "
+            "surface film times its area, and series the resistance that does not depend on the force. The resistance "
+            f"falls with the force to the power {self.exponent:.3f} ± {self.exponent_error:.2g}, with a scatter of "
+            f"{100 * self.scatter:.2g} %. One smooth contact is assumed. Rough bodies conduct through many "
+            "microcontacts; the exponent and the constants of this power law are then different.",
             SOURCE,
         )

@@ -14,19 +14,19 @@ __all__ = ["DRAGGED", "ELEMENTS", "ELEMENTS_ON_LAYERS", "LineRollingState", "rol
 ELEMENTS = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "Boundary elements with Coulomb friction. With 80 elements on the half-width the steady creepage differs "
-    "from Carter's by at most 0.2 %. This holds for shear forces of 10 to 90 % of mu P; outside this range the "
-    "difference is 0.6 %. With twice as many elements the errors are half as large. Yield is evaluated for the steady "
-    "state.",
+    "Stick and slip are computed with boundary elements and Coulomb's law. With 80 elements on the half-width the "
+    "steady creepage differs from Carter's by at most 0.2 %. This holds for shear forces of 10 to 90 % of mu P; "
+    "outside this range the difference is 0.6 %. With twice as many elements the errors are half as large. Yield is "
+    "evaluated for the steady state.",
     "compared with Carter's closed form; J. J. Kalker, J. Appl. Mech. 37 (1970) 677-688",
 )
 ELEMENTS_ON_LAYERS = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,
-    "Boundary elements with Coulomb friction and the shear response of the layers. With 80 elements on the "
-    "half-width the steady creepage differs from that of `LineRolling` by at most 0.4 %. This holds for shear "
-    "forces of 10 to 90 % of mu P; outside this range the difference is 0.6 %. With twice as many elements the errors "
-    "are half as large. Yield is evaluated for full sliding.",
+    "Stick and slip are computed with boundary elements, Coulomb's law and the shear response of the layers. With 80 "
+    "elements on the half-width the steady creepage differs from that of `LineRolling` by at most 0.4 %. This holds "
+    "for shear forces of 10 to 90 % of mu P; outside this range the difference is 0.6 %. With twice as many elements "
+    "the errors are half as large. Yield is evaluated for full sliding.",
     "compared with singular integral equations of the steady state; J. J. Kalker, J. Appl. Mech. 37 (1970) 677-688",
 )
 DRAGGED = Note(

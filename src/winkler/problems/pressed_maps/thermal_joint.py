@@ -238,8 +238,8 @@ class ThermalJointSolution(PerLoad[Q]):
             Note(
                 Assumption.STEADY,
                 Standing.ASYMPTOTIC,
-                "Steady heat conduction between thick bodies with constant properties. No heat leaves through "
-                "other surfaces.",
+                "Heat conduction is assumed to be steady, between thick bodies with constant properties. No heat "
+                "leaves through other surfaces.",
                 "H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, 2nd edition, Oxford 1959",
             ),
         )

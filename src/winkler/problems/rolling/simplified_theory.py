@@ -313,7 +313,7 @@ FIRST_DIGITS = Note(
     "compared with CONTACT's coefficients of ellipses",
 )
 THEORY = (
-    "Simplified theory: independent springs with flexibilities from Kalker's coefficients, and a parabolic "
+    "The simplified theory uses independent springs, with flexibilities from Kalker's coefficients, and a parabolic "
     "traction bound. "
 )
 

@@ -317,7 +317,7 @@ class JointStiffnessSolution(PerLoad[Q]):
             Note(
                 Assumption.SLIP,
                 Standing.APPROXIMATE,
-                "The springs assume that slip reduces the contact to that of a smaller force (Ciavarella, "
+                "The springs assume that the stick zone equals the contact area under a smaller force (Ciavarella, "
                 "Jaeger). Compared with boundary elements with friction, displacements differ by at most "
                 f"{_per_cent(self.shift_error)} % of their maximum, the dissipated energy by "
                 f"{_per_cent(self.loss_error)} % of its maximum.",

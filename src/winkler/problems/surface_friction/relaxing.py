@@ -225,8 +225,8 @@ LAYERED = Note(
     Assumption.RESPONSE,
     Standing.ASYMPTOTIC,
     "Each layer has its own relaxation function and a constant Poisson's ratio. The response of the pixels is a sum of "
-    "exponentials in time, with an error below 1e-4. Tractions are assumed linear in time between the points of the "
-    "path. Errors are proportional to the square of the step size; compare with twice the points.",
+    "exponentials in time, with a relative error below 1e-4. Tractions are assumed linear in time between the points "
+    "of the path. Errors are proportional to the square of the step size; compare with twice the points.",
     LEE,
 )
 COURSE = Note(

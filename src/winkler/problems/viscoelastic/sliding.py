@@ -119,8 +119,8 @@ class SlidingResistance(PerLoad[Q]):
     def __post_init__(self) -> None:
         if not isinstance(self.bed.medium, ViscoelasticHalfSpace):
             raise InvalidInput(
-                f"SlidingResistance: the bed stands on a {type(self.bed.medium).__name__}; the error of springs "
-                "in sliding is known for half-spaces only. Give Foundation(profile, "
+                f"SlidingResistance: the bed stands on a {type(self.bed.medium).__name__}; the error of the "
+                "springs for sliding contacts is known for half-spaces only. Give Foundation(profile, "
                 "ViscoelasticHalfSpace(solid))."
             )
         relaxation_of("SlidingResistance", self.bed)

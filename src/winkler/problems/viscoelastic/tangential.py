@@ -384,9 +384,10 @@ def dragged_notes(bed: Bed, law: Coulomb, time: Array, depth: Array, radius: Arr
 LAYERED = Note(
     Assumption.SLIP,
     Standing.ASYMPTOTIC,
-    "Tractions are assumed parallel to the motion, and both directions independent (Cattaneo-Mindlin). Cells of line "
-    "load stick or slip at the end of every step. Compared with annuli on elastic layers, the limits of fast and slow "
-    "motion, shear forces and torques differ by at most 0.15 %, frictional losses by at most 1.2 % of their maximum.",
+    "Tractions are assumed parallel to the motion, and both directions independent (Cattaneo-Mindlin). Each "
+    "element along the radius sticks or slips at the end of every step. For very fast and very slow motion the layers "
+    "are elastic. Compared with annular elements on these elastic layers, shear forces and torques differ by at most "
+    "0.15 % of their maximum, frictional losses by at most 1.2 %.",
     "tests/problems/viscoelastic/test_dragged_layers.py",
 )
 CATTANEO = Note(
