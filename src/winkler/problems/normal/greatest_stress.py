@@ -98,7 +98,7 @@ def greatest_stress(
         largest = _ball(part.solid.poisson, friction, measure)
         peak = 2.0 * bed.medium.modulus * pressed.depth / (math.pi * pressed.radius)  # type: ignore[attr-defined]
         return GreatestStress(largest.value * peak, largest.x * pressed.radius, largest.z * pressed.radius, "")
-    sharp = list(sharp_places(pressed, part.solid.poisson, friction)) if part.top == 0.0 else []
+    sharp = list(sharp_places(pressed, getattr(part.solid, "poisson", 0.0), friction)) if part.top == 0.0 else []
     off = EXCLUDED_DISTANCE * pressed.radius
 
     def field(x: Array, z: Array) -> Array:

@@ -16,8 +16,8 @@ from typing import ClassVar, NamedTuple
 
 import numpy as np
 
-from winkler.materials.elastic import Rigid
-from winkler.media.halfspace import HalfSpace
+from winkler.materials.elastic import Elastic
+from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.media.interior import tensor
 from winkler.media.layered.depth_response import solid_at
 from winkler.media.offers import GradedInDepth, LayerStack, offers
@@ -32,7 +32,7 @@ from winkler.problems.normal.greatest_stress import greatest_stress
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.onset.ellipse_in_layers import EllipseInLayers, refuse_slender, sum_error
 from winkler.problems.normal.onset.part_onset import NAME
-from winkler.problems.normal.strong_parts import StrongPart, solid_parts
+from winkler.problems.normal.strong_parts import StrongPart, elastic_parts
 from winkler.problems.one_load import single
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note, standing_of
@@ -64,7 +64,7 @@ class ContactStress:
     ----------
     contact : Indentation, EllipticIndentation or LineIndentation
         The frictionless contact under one load, of homogeneous bodies or layers, all isotropic. An Indentation also
-        supports a DepthGradedHalfSpace, whose graded body is one part.
+        supports transversely isotropic bodies and layers, and a DepthGradedHalfSpace, whose graded body is one part.
 
     Raises
     ------
@@ -99,26 +99,20 @@ class ContactStress:
 
     def __post_init__(self) -> None:
         medium = self.medium
-        if offers(medium, GradedInDepth):
-            if not isinstance(self.contact, Indentation):
-                raise InvalidInput(
-                    f"ContactStress: the contact is a {type(self.contact).__name__} on a {type(medium).__name__}; "
-                    "in graded bodies the maximum stresses are sought under round contacts only: give an "
-                    "Indentation, or a CoatedHalfSpace of layers that follow the grading."
-                )
-        elif not (isinstance(medium, HalfSpace) or offers(medium, LayerStack)):
+        if not (isinstance(medium, HomogeneousMedium) or offers(medium, GradedInDepth) or offers(medium, LayerStack)):
             raise InvalidInput(
                 f"ContactStress: the medium is a {type(medium).__name__}; maximum stresses are implemented for "
-                "isotropic bodies, layers and graded bodies only. Give a HalfSpace, a CoatedHalfSpace, a "
-                "SlidingFilm, a StackedHalfSpace or a DepthGradedHalfSpace."
+                "homogeneous bodies, layers and bodies graded by a DepthGrading only. Give a HalfSpace, a "
+                "TransverselyIsotropicHalfSpace, a CoatedHalfSpace, a SlidingFilm, a StackedHalfSpace or a "
+                "DepthGradedHalfSpace."
             )
-        if offers(medium, LayerStack):
-            bodies = (*(layer.solid for layer in medium.layers), medium.on, medium.second)
-            if len(solid_parts(medium)) < sum(not isinstance(body, Rigid) for body in bodies):
-                raise InvalidInput(
-                    "ContactStress: a layer or body is transversely isotropic; the maximum stresses are sought "
-                    "in isotropic ones only: give layers of Elastic, or see the stresses of the contact."
-                )
+        isotropic = all(isinstance(part.solid, Elastic) for part in elastic_parts(medium))
+        if not (isinstance(self.contact, Indentation) or (isotropic and not offers(medium, GradedInDepth))):
+            raise InvalidInput(
+                f"ContactStress: the contact is a {type(self.contact).__name__} on a {type(medium).__name__}; in "
+                "graded and in transversely isotropic bodies the maximum stresses are sought under round contacts "
+                "only. Give an Indentation, or isotropic bodies and layers."
+            )
 
     @property
     def medium(self) -> object:
@@ -260,7 +254,7 @@ class ContactStressSolution:
 def _parts(medium: object) -> tuple[StrongPart, ...]:
     """Return the parts in which stresses are sought; a graded body is one, of the solid at its surface."""
     graded = (StrongPart("graded body", solid_at(medium.grading), True),) if offers(medium, GradedInDepth) else ()
-    return (*graded, *solid_parts(medium))
+    return (*graded, *elastic_parts(medium))
 
 
 def _greatest(rows: list[PartStress], kind: str) -> tuple[float, float]:
