@@ -7,10 +7,14 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 from winkler.materials.elastic import Elastic, TransverselyIsotropic
+from winkler.materials.graded import PowerLawGraded
 from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 
 __all__ = ["StrongPart", "elastic_parts", "solid_parts", "strong_parts"]
+
+ELASTIC = (Elastic, TransverselyIsotropic, PowerLawGraded)
+"""Solids whose stresses are known."""
 
 
 class StrongPart(NamedTuple):
@@ -21,7 +25,7 @@ class StrongPart(NamedTuple):
     name : str
         What it is called in a sentence.
     solid : Elastic
-        In `elastic_parts` a TransverselyIsotropic as well.
+        In `elastic_parts` a TransverselyIsotropic or a PowerLawGraded as well.
     first : bool
         Whether it belongs to the first body, z > 0.
     top, bottom : float
@@ -58,7 +62,7 @@ def solid_parts(medium: object) -> tuple[StrongPart, ...]:
 
 
 def elastic_parts(medium: object) -> tuple[StrongPart, ...]:
-    """Return the same, transversely isotropic ones included, to which no single strength belongs.
+    """Return the same, and transversely isotropic and graded ones, to which no single strength belongs.
 
     Parameters
     ----------
@@ -77,10 +81,10 @@ def _parts(medium: object) -> Iterator[StrongPart]:
         layers, on = medium.layers, medium.on  # type: ignore[attr-defined]
         solids = [layer.solid for layer in layers] + [on]
         for number, (solid, span) in enumerate(zip(solids, spans, strict=False), 1):
-            if isinstance(solid, Elastic | TransverselyIsotropic):
+            if isinstance(solid, ELASTIC):
                 name = f"layer {number}" if number <= len(layers) else "body under the layers"
                 yield StrongPart(name, solid, True, *span)
-    elif isinstance(first, Elastic | TransverselyIsotropic):
+    elif isinstance(first, ELASTIC):
         yield StrongPart("first body", first, True)
-    if isinstance(second, Elastic | TransverselyIsotropic):
+    if isinstance(second, ELASTIC):
         yield StrongPart("second body", second, False)
