@@ -146,6 +146,7 @@ def test_what_is_not_known_is_refused():
         wk.ContactStress(pressed(wk.PowerLawGraded(2.0, 0.3, 0.2, 0.3), wk.FlatPunch(0.04)).problem).solve()
     with pytest.raises(wk.OutsideValidity, match="lies less than"):
         wk.ContactStress(pressed(wk.PowerLawGraded(2.0, 0.3, 0.5, 0.0)).problem).solve()
+    medium = contact.problem.bed.medium
+    ellipse = wk.EllipticIndentation(wk.CurvedBodies(1e-3, 2e-3), medium, wk.Force(1.0))
     with pytest.raises(wk.InvalidInput, match="under round contacts only"):
-        medium = contact.problem.bed.medium
-        wk.ContactStress(wk.EllipticIndentation(wk.CurvedBodies(1e-3, 2e-3), medium, wk.Force(1.0)))
+        wk.ContactStress(ellipse)

@@ -1,8 +1,8 @@
 r"""The field inside one homogeneous body, isotropic or transversely isotropic about the surface normal.
 
-Of a wave :math:`e^{-\xi s_iz}` of each exponent of the solid (`winkler.media.layered.wave_constants`) the potential is
-that of an isotropic solid at the depth :math:`s_iz` [1]_.  The exponents are real or a complex pair.  With the functions
-of `winkler.media.punch_field`, V = Im F for real depths, a complex depth z = b + ic has
+Waves of each exponent of the solid, :math:`e^{-\xi s_iz}` (`winkler.media.layered.wave_constants`), have the potential
+of an isotropic one at the depth :math:`s_iz` [1]_.  The exponents are real or a complex pair.  With the functions of
+`winkler.media.punch_field`, V = Im F for real depths, a complex depth z = b + ic has
 
 .. math:: V(r, z; t) = \tfrac1{2i}\big[F(r, b + i(t+c)) - \overline{F(r, b + i(t-c))}\big] ,
 

@@ -104,8 +104,9 @@ class ContactStress:
         if not (isinstance(medium, HomogeneousMedium) or any(offers(medium, each) for each in known)):
             raise InvalidInput(
                 f"ContactStress: the medium is a {type(medium).__name__}; maximum stresses are implemented for "
-                "homogeneous bodies, layers and graded bodies only. Give a HalfSpace, a TransverselyIsotropicHalfSpace, a "
-                "GradedHalfSpace, a CoatedHalfSpace, a SlidingFilm, a StackedHalfSpace or a DepthGradedHalfSpace."
+                "homogeneous bodies, layers and graded bodies only. Give a HalfSpace, a "
+                "TransverselyIsotropicHalfSpace, a GradedHalfSpace, a CoatedHalfSpace, a SlidingFilm, a "
+                "StackedHalfSpace or a DepthGradedHalfSpace."
             )
         if offers(medium, PowerOfDepth) and medium.exponent < 0.0:
             raise InvalidInput(
