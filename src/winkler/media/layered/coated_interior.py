@@ -83,7 +83,7 @@ def field(load: CarriedLoad, body: StackBody, modulus: float, r: Array, z: Array
     if load.radius > 0.0 and r.size:
         waves = waves_of(load, modulus, reach_of(load, r), 2.0 * DECAY_SPAN / load.response.length)
         if upper.any():
-            result[:, upper] = solid_field(load, r[upper], z[upper], modulus=modulus, solid=body.top)
+            result[:, upper] = solid_field(load, r[upper], z[upper], modulus=modulus, solid=body.layers[0].solid)
         depths = np.unique(z)
         waves = waves.up_to(max(reaching(body, depths, waves.xi)))
         radial = RadialWaves(waves.xi)
