@@ -37,7 +37,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["BodyField", "Potentials", "combine", "punch_below", "punch_surface"]
+__all__ = ["BodyField", "Potentials", "combine", "punch_below", "punch_surface", "times"]
 
 
 class Potentials(NamedTuple):
@@ -171,20 +171,20 @@ def combine(potentials: Potentials, r: Array, z: Array, *, modulus: float, poiss
     stress, length = modulus / (2.0 * np.pi), modulus / (4.0 * np.pi * shear)
     lateral = z_v_r_by_r + (1.0 - 2.0 * poisson) * psi_r_by_r
     with np.errstate(invalid="ignore"):  # infinities of both signs meet only on the axis
-        radial, hoop = v_z + z_v_zz + lateral, _times(2.0 * poisson, v_z) - lateral
+        radial, hoop = v_z + z_v_zz + lateral, times(2.0 * poisson, v_z) - lateral
         outward = r * lateral
-    axis = 0.5 * (_times(1.0 + 2.0 * poisson, v_z) + z_v_zz)
+    axis = 0.5 * (times(1.0 + 2.0 * poisson, v_z) + z_v_zz)
     return BodyField(
         radial_stress=stress * np.where(r > 0.0, radial, axis),
         hoop_stress=stress * np.where(r > 0.0, hoop, axis),
         axial_stress=stress * (v_z - z_v_zz),
         shear_stress=-stress * z_v_rz,
         radial_displacement=np.where(r > 0.0, -length * outward, 0.0),
-        axial_displacement=length * (2.0 * (1.0 - poisson) * v - _times(z, v_z)),
+        axial_displacement=length * (2.0 * (1.0 - poisson) * v - times(z, v_z)),
     )
 
 
-def _times(factor: float | Array, array: Array) -> Array:
+def times(factor: float | Array, array: Array) -> Array:
     """Return the product, zero where the factor is zero, even times infinity."""
     there = np.not_equal(factor, 0.0)
     return np.multiply(factor, np.where(there, array, 0.0))

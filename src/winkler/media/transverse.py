@@ -7,13 +7,13 @@ r"""Transversely isotropic half-spaces whose axis is the surface normal: the sam
 
 from __future__ import annotations
 
-from winkler.materials.elastic import RIGID
+from winkler.materials.elastic import RIGID, Rigid
 from winkler.media.halfspace import HomogeneousMedium
+from winkler.media.layered.solid_field import solid_field
 from winkler.media.layered.wave_constants import Body
-from winkler.media.medium import Displacement, exact_response
+from winkler.media.medium import Displacement, exact_response, rigid_body
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
-from winkler.values.errors import OutsideValidity
 from winkler.values.value import value
 
 __all__ = ["TransverselyIsotropicHalfSpace"]
@@ -52,11 +52,11 @@ class TransverselyIsotropicHalfSpace(HomogeneousMedium):
         return cls(first, second)
 
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
-        """Not supported: stresses inside an anisotropic body are not implemented."""
-        raise OutsideValidity(
-            "The stresses inside a TransverselyIsotropicHalfSpace are not implemented; request the surface "
-            "(without z), or use HalfSpace."
-        )
+        """Stresses and displacements inside the first body (`below`) or the second, at depths z >= 0 into it."""
+        body = self.first if below else self.second
+        if isinstance(body, Rigid):
+            raise rigid_body(below)
+        return solid_field(displacement, r, z, modulus=self.modulus, solid=body)
 
     notes = exact_response(
         "Frictionless contact of homogeneous half-spaces, transversely isotropic about the surface normal. "

@@ -280,12 +280,6 @@ def test_bad_pairs():
         GradedHalfSpace(None)
 
 
-def test_inside_is_refused():
-    contact = wk.Indentation(wk.Foundation(wk.Paraboloid(1.0), medium(0.2)), wk.Radius(0.1)).solve()
-    with pytest.raises(wk.OutsideValidity, match="below the surface"):
-        wk.restore(contact, 0.0, 0.1)
-
-
 def test_a_value():
     one = medium(0.2)
     assert one == pickle.loads(pickle.dumps(one))

@@ -203,8 +203,9 @@ def test_what_is_not_known_is_refused_by_name():
     with pytest.raises(InvalidInput, match="list of at least one Layer or StackLayer"):
         wk.StackedHalfSpace([], on=GLASS)
     pressed = wk.Indentation(wk.Foundation(wk.Paraboloid(1.0), slides), wk.Radius(0.5)).solve()
+    bonded = stack([(QUARTZ_LIKE, 1.0, True)], on=GLASS)
     with pytest.raises(OutsideValidity, match=r"lies in a transversely isotropic uppermost layer"):
-        wk.restore(pressed, np.array([0.1]), np.array([0.5]))
+        bonded.dragged_interior(pressed.pressed, *np.array([[0.1], [0.0], [0.5]]), below=True)
     assert np.isfinite(wk.restore(pressed, np.array([0.1]), np.array([1.5])).axial_stress).all()
 
 

@@ -127,15 +127,12 @@ def test_refused():
     with pytest.raises(wk.InvalidInput, match="loads"):
         wk.ContactStress(wk.Indentation(ball, wk.Force([1.0, 2.0]))).solve()
     zinc = wk.TransverselyIsotropic(161e9, 34.2e9, 50.1e9, 61e9, 38.3e9)
-    for medium, reason in (
-        (wk.TransverselyIsotropicHalfSpace(zinc), "TransverselyIsotropicHalfSpace; .* Give a HalfSpace"),
-        (
-            wk.StackedHalfSpace([wk.StackLayer(zinc, 1e-6)], on=wk.Elastic(1e9, 0.3)),
-            "transversely isotropic; .* give layers",
-        ),
+    for medium in (
+        wk.TransverselyIsotropicHalfSpace(zinc),
+        wk.StackedHalfSpace([wk.StackLayer(zinc, 1e-6)], on=wk.Elastic(1e9, 0.3)),
     ):
-        with pytest.raises(wk.InvalidInput, match=reason):
-            wk.ContactStress(wk.Indentation(wk.Foundation(wk.Paraboloid(1e-3), medium), wk.Force(1.0)))
+        with pytest.raises(wk.InvalidInput, match="under round contacts only"):
+            wk.ContactStress(wk.EllipticIndentation(wk.CurvedBodies(1e-3, 2e-3), medium, wk.Force(1.0)))
     strip = wk.LineFoundation(wk.Paraboloid(1e-3), STEEL)
     for contact in (wk.Indentation(ball, wk.Force(0.0)), wk.LineIndentation(strip, wk.LineForce(0.0))):
         with pytest.raises(wk.OutsideValidity, match="do not touch"):

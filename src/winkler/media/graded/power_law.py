@@ -24,8 +24,9 @@ import numpy as np
 
 from winkler.materials.elastic import RIGID, Rigid
 from winkler.materials.graded import PowerLawGraded
+from winkler.media.graded import power_law_interior
 from winkler.media.graded.profile import transform
-from winkler.media.medium import Displacement, PunchFacts, exact_response
+from winkler.media.medium import Displacement, PunchFacts, exact_response, rigid_body
 from winkler.media.punch_field import BodyField
 from winkler.numerics.transforms import graded_abel
 from winkler.numerics.transforms.abel_intervals import root_difference
@@ -258,11 +259,11 @@ class GradedHalfSpace:
         return graded_abel.surface(displacement.value, edges, self.exponent, r, displacement.radius)
 
     def interior(self, displacement: Displacement, r: Array, z: Array, *, below: bool) -> BodyField:
-        """Not supported: stresses below the surface of a graded body are not implemented."""
-        raise OutsideValidity(
-            "The stresses inside a GradedHalfSpace are not implemented: below the surface the power law has no "
-            "closed flat-punch field; request the surface (without z), or sample the grading by a layered medium."
-        )
+        """Stresses and displacements inside the first body (`below`) or the second, at depths z > 0 into it."""
+        body = self.first if below else self.second
+        if isinstance(body, Rigid):
+            raise rigid_body(below)
+        return power_law_interior.field(displacement, body, self._surface_modulus, r, z)
 
 
 def _cosine(k: float) -> float:

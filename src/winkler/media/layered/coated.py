@@ -35,13 +35,14 @@ import numpy as np
 
 from winkler.materials.elastic import RIGID, Elastic, Rigid, Solid, TransverselyIsotropic
 from winkler.materials.layered import Layer, StackLayer
-from winkler.media.interior import shear_field, subsurface
+from winkler.media.interior import shear_field
 from winkler.media.interior.shear_field_punch import ShearField
 from winkler.media.layered import coated_interior, coated_load, flat_punch, punch_facts, sheared_interior
 from winkler.media.layered.climb import AnyLayer
 from winkler.media.layered.coated_load import CarriedLoad, spread
 from winkler.media.layered.floating import FloatingAcross
 from winkler.media.layered.pair_response import Mode, PairResponse
+from winkler.media.layered.solid_field import solid_field
 from winkler.media.layered.stack import StackBody
 from winkler.media.layered.wave_constants import Body
 from winkler.media.medium import Displacement, PunchFacts, exact_response, rigid_body
@@ -216,20 +217,9 @@ class LayeredMedium:
         r, z = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(z, dtype=float))
         if below:
             return self.inside(load, r, z)
-        second = self._isotropic_second
-        return subsurface.field(load, r, z, modulus=self.modulus, poisson=second.poisson, shear=second.shear)
-
-    @property
-    def _isotropic_second(self) -> Elastic:
-        """The other body, where stresses in it are known."""
-        if isinstance(self.second, TransverselyIsotropic):
-            raise OutsideValidity(
-                f"{type(self).__name__}: the stresses inside a transversely isotropic second body are not "
-                "implemented; request the surface (without z), or points in the layers."
-            )
-        if not isinstance(self.second, Elastic):
+        if isinstance(self.second, Rigid):
             raise rigid_body(below=False)
-        return self.second
+        return solid_field(load, r, z, modulus=self.modulus, solid=self.second)
 
     def inside_dragged(self, load: CarriedLoad, modulus: float, x: Array, y: Array, z: Array) -> ShearField:
         """Stresses and displacements in the first body under a traction along +x: that of a load times a modulus."""
@@ -269,7 +259,14 @@ class LayeredMedium:
     ) -> ShearField:
         if below:
             return self.inside_dragged(load, modulus, x, y, z)
-        second = self._isotropic_second
+        second = self.second
+        if isinstance(second, Rigid):
+            raise rigid_body(below=False)
+        if isinstance(second, TransverselyIsotropic):
+            raise OutsideValidity(
+                f"{type(self).__name__}: the stresses of a traction inside a transversely isotropic second body are "
+                "not implemented; request the pressure alone, or points in the layers."
+            )
         return shear_field.field(load, x, y, z, modulus=modulus, poisson=second.poisson, shear=second.shear)
 
 
@@ -398,8 +395,8 @@ class StackedHalfSpace(StackMedium):
     InvalidInput
         If there is no layer, or something is not of these kinds.
     OutsideValidity
-        Where shear on the surface is requested although a layer slides, or stresses inside a transversely isotropic
-        uppermost layer or second body.
+        Where shear on the surface is requested although a layer slides, or stresses of tractions inside a transversely
+        isotropic uppermost layer or second body.
 
     References
     ----------

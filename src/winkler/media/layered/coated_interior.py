@@ -17,11 +17,11 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.materials.elastic import Elastic, Rigid, TransverselyIsotropic
-from winkler.media.interior import subsurface
 from winkler.media.layered.blocks import Four, add, scaled, times
 from winkler.media.layered.climb import Support, climbed, crossing
 from winkler.media.layered.coated_load import CarriedLoad
 from winkler.media.layered.hankel_waves import HankelWaves, RadialWaves, reach_of, waves_of
+from winkler.media.layered.solid_field import solid_field
 from winkler.media.layered.stack import StackBody
 from winkler.media.layered.wave_constants import constants_of
 from winkler.media.punch_field import BodyField
@@ -74,18 +74,16 @@ def field(load: CarriedLoad, body: StackBody, modulus: float, r: Array, z: Array
     Raises
     ------
     OutsideValidity
-        If a point lies in a rigid base, in an uppermost layer that is transversely isotropic, or hundreds of contact
-        radii away from the axis and near the surface.
+        If a point lies in a rigid base, or hundreds of contact radii away from the axis and near the surface.
     """
     shape, r, z = np.shape(r), np.ravel(r), np.ravel(z)
-    refuse_unknown_places(body, z)
-    top, upper = body.top, z <= body.bottoms[0]
+    refuse_base(body, z)
+    upper = z <= body.bottoms[0]
     result = np.zeros((6, r.size))
     if load.radius > 0.0 and r.size:
         waves = waves_of(load, modulus, reach_of(load, r), 2.0 * DECAY_SPAN / load.response.length)
-        if isinstance(top, Elastic) and upper.any():
-            own = subsurface.field(load, r[upper], z[upper], modulus=modulus, poisson=top.poisson, shear=top.shear)
-            result[:, upper] = own
+        if upper.any():
+            result[:, upper] = solid_field(load, r[upper], z[upper], modulus=modulus, solid=body.layers[0].solid)
         depths = np.unique(z)
         waves = waves.up_to(max(reaching(body, depths, waves.xi)))
         radial = RadialWaves(waves.xi)
@@ -109,8 +107,8 @@ def refuse_unknown_places(body: StackBody, z: Array) -> None:
     refuse_base(body, z)
     if not isinstance(body.top, Elastic) and np.any(z <= body.bottoms[0]):
         raise OutsideValidity(
-            f"z = {np.min(z):.6g} m lies in a transversely isotropic uppermost layer, in which stresses are not "
-            f"implemented; request the surface (without z), or points below {body.bottoms[0]:.6g} m."
+            f"z = {np.min(z):.6g} m lies in a transversely isotropic uppermost layer, in which stresses of "
+            f"tractions and of height maps are not implemented; request points below {body.bottoms[0]:.6g} m."
         )
 
 

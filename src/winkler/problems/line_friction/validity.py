@@ -121,5 +121,5 @@ def slid_yield_notes(contact: LineSolution, law: Coulomb, strain: float) -> tupl
 def _slid_stress(contact: LineSolution, part: StrongPart, friction: float, strain: float) -> float:
     """Return a bound of the von Mises stress [Pa]: that of sliding, and that of the bulk stress beside it."""
     poisson = part.solid.poisson
-    bulk = part.solid.young / (1.0 - poisson**2) * strain if part.first else 0.0
+    bulk: float = part.solid.young / (1.0 - poisson**2) * strain if part.first else 0.0
     return contact.part_stress(part, friction).value + abs(bulk) * math.sqrt(1.0 - poisson + poisson**2)

@@ -26,11 +26,13 @@ from winkler.foundation.bed import PressedSprings, StretchedSprings
 from winkler.foundation.footprint import EllipticOutline
 from winkler.foundation.foundation import Foundation
 from winkler.materials.elastic import Elastic
+from winkler.media.body_of import exponent_of
+from winkler.media.graded.power_law_interior import LEAST_DEPTH
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior import shear_field
 from winkler.media.interior.peak import greatest
 from winkler.media.interior.tensor import Measure, Tensor, von_mises
-from winkler.media.offers import PressedWaves, offers
+from winkler.media.offers import PowerOfDepth, PressedWaves, offers
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
 from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
@@ -38,7 +40,7 @@ from winkler.problems.normal.strong_parts import StrongPart
 from winkler.profiles.power import Paraboloid
 from winkler.values.checks.outline import refuse_unless_round
 
-__all__ = ["INTERFACE_OFFSET", "GreatestStress", "greatest_stress", "sharp_places", "stress_in_plane"]
+__all__ = ["INTERFACE_OFFSET", "GreatestStress", "greatest_stress", "least_depth", "sharp_places", "stress_in_plane"]
 
 EXCLUDED_DISTANCE = 0.1
 """Distance from a sharp place within which stresses do not count, in contact radii."""
@@ -98,19 +100,19 @@ def greatest_stress(
         largest = _ball(part.solid.poisson, friction, measure)
         peak = 2.0 * bed.medium.modulus * pressed.depth / (math.pi * pressed.radius)  # type: ignore[attr-defined]
         return GreatestStress(largest.value * peak, largest.x * pressed.radius, largest.z * pressed.radius, "")
-    sharp = list(sharp_places(pressed, part.solid.poisson, friction)) if part.top == 0.0 else []
-    off = EXCLUDED_DISTANCE * pressed.radius
+    sharp = list(sharp_places(pressed, getattr(part.solid, "poisson", 0.0), friction)) if part.top == 0.0 else []
+    off, least = EXCLUDED_DISTANCE * pressed.radius, least_depth(pressed)
 
     def field(x: Array, z: Array) -> Array:
         stress = np.full(x.shape, -math.inf)
-        regular = np.ones(x.shape, dtype=bool)
+        regular = z >= least
         for place, _ in sharp:
             regular &= np.hypot(np.abs(x) - place, z) >= off
         if regular.any():
             stress[regular] = stress_in_plane(pressed, part, friction, x[regular], z[regular], measure)
         return stress
 
-    layered = offers(bed.medium, PressedWaves)
+    layered = offers(bed.medium, PressedWaves) or least > 0.0
     costly = {"starts": STARTS_IN_LAYERS, "rounds": FINE_ROUNDS_IN_LAYERS if fine else ROUNDS_IN_LAYERS}
     place = greatest(
         field,
@@ -121,6 +123,11 @@ def greatest_stress(
         **(costly if layered else {}),
     )
     return GreatestStress(place.value, place.r, place.z, sharp[0][1] if sharp else "")
+
+
+def least_depth(pressed: PressedSprings) -> float:
+    """Return above which depth the stresses below a contact are not known [m]."""
+    return LEAST_DEPTH * pressed.radius if offers(pressed.bed.medium, PowerOfDepth) else 0.0
 
 
 def _under_ellipse(
@@ -151,6 +158,8 @@ def sharp_places(pressed: PressedSprings, poisson: float, friction: float) -> It
         yield pressed.radius, f"attraction without range pulls the edge{INFINITE}"
     elif pressed.edge > 0.0:
         yield pressed.radius, f"the rim is sharp{INFINITE}"
+    if exponent_of(pressed.bed.medium) > 0.0:
+        return  # towards the surface the modulus vanishes: the pressure at a tip or kink is finite
     bounded = poisson == 0.5 and friction == 0.0
     near, far = np.abs(pressed.slope(pressed.radius * np.array([1e-8, 1e-6])))
     if near > (1.05 if bounded else 0.95) * far > 0.0:

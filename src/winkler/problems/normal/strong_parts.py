@@ -4,23 +4,28 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from winkler.materials.elastic import Elastic
+from winkler.materials.elastic import Elastic, TransverselyIsotropic
+from winkler.materials.graded import PowerLawGraded
 from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 
-__all__ = ["StrongPart", "solid_parts", "strong_parts"]
+__all__ = ["StrongPart", "elastic_parts", "solid_parts", "strong_parts"]
+
+ELASTIC = (Elastic, TransverselyIsotropic, PowerLawGraded)
+"""Solids whose stresses are known."""
 
 
 class StrongPart(NamedTuple):
-    """A part of one of the bodies, of one isotropic solid that has a strength.
+    """A part of one of the bodies, of one solid.
 
     Parameters
     ----------
     name : str
         What it is called in a sentence.
     solid : Elastic
+        In `elastic_parts` a TransverselyIsotropic or a PowerLawGraded as well.
     first : bool
         Whether it belongs to the first body, z > 0.
     top, bottom : float
@@ -28,7 +33,7 @@ class StrongPart(NamedTuple):
     """
 
     name: str
-    solid: Elastic
+    solid: Any
     first: bool
     top: float = 0.0
     bottom: float = math.inf
@@ -53,6 +58,17 @@ def solid_parts(medium: object) -> tuple[StrongPart, ...]:
     medium
         Any; one that names no solids has no such part.
     """
+    return tuple(part for part in elastic_parts(medium) if isinstance(part.solid, Elastic))
+
+
+def elastic_parts(medium: object) -> tuple[StrongPart, ...]:
+    """Return the same, and transversely isotropic and graded ones, to which no single strength belongs.
+
+    Parameters
+    ----------
+    medium
+        Any; one that names no solids has no such part.
+    """
     return tuple(_parts(medium))
 
 
@@ -65,10 +81,10 @@ def _parts(medium: object) -> Iterator[StrongPart]:
         layers, on = medium.layers, medium.on  # type: ignore[attr-defined]
         solids = [layer.solid for layer in layers] + [on]
         for number, (solid, span) in enumerate(zip(solids, spans, strict=False), 1):
-            if isinstance(solid, Elastic):  # no single strength belongs to a transversely isotropic one
+            if isinstance(solid, ELASTIC):
                 name = f"layer {number}" if number <= len(layers) else "body under the layers"
                 yield StrongPart(name, solid, True, *span)
-    elif isinstance(first, Elastic):
+    elif isinstance(first, ELASTIC):
         yield StrongPart("first body", first, True)
-    if isinstance(second, Elastic):
+    if isinstance(second, ELASTIC):
         yield StrongPart("second body", second, False)

@@ -16,11 +16,11 @@ from typing import ClassVar, NamedTuple
 
 import numpy as np
 
-from winkler.materials.elastic import Rigid
-from winkler.media.halfspace import HalfSpace
+from winkler.materials.elastic import Elastic
+from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.media.interior import tensor
 from winkler.media.layered.depth_response import solid_at
-from winkler.media.offers import GradedInDepth, LayerStack, offers
+from winkler.media.offers import GradedInDepth, LayerStack, PowerOfDepth, offers
 from winkler.problems.assumptions.declared import PRESSED
 from winkler.problems.line.greatest_stress import in_strip
 from winkler.problems.line.indentation import LineIndentation, LineSolution
@@ -28,11 +28,11 @@ from winkler.problems.line.layered_stress import greatest_in_part
 from winkler.problems.line.peak_pressure import is_sharp, rim_load
 from winkler.problems.line.stress import Strip
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
-from winkler.problems.normal.greatest_stress import greatest_stress
+from winkler.problems.normal.greatest_stress import greatest_stress, least_depth
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.onset.ellipse_in_layers import EllipseInLayers, refuse_slender, sum_error
 from winkler.problems.normal.onset.part_onset import NAME
-from winkler.problems.normal.strong_parts import StrongPart, solid_parts
+from winkler.problems.normal.strong_parts import StrongPart, elastic_parts
 from winkler.problems.one_load import single
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note, standing_of
@@ -64,7 +64,8 @@ class ContactStress:
     ----------
     contact : Indentation, EllipticIndentation or LineIndentation
         The frictionless contact under one load, of homogeneous bodies or layers, all isotropic. An Indentation also
-        supports a DepthGradedHalfSpace, whose graded body is one part.
+        supports transversely isotropic bodies and layers, a GradedHalfSpace, and a DepthGradedHalfSpace, whose graded
+        body is one part.
 
     Raises
     ------
@@ -99,26 +100,27 @@ class ContactStress:
 
     def __post_init__(self) -> None:
         medium = self.medium
-        if offers(medium, GradedInDepth):
-            if not isinstance(self.contact, Indentation):
-                raise InvalidInput(
-                    f"ContactStress: the contact is a {type(self.contact).__name__} on a {type(medium).__name__}; "
-                    "in graded bodies the maximum stresses are sought under round contacts only: give an "
-                    "Indentation, or a CoatedHalfSpace of layers that follow the grading."
-                )
-        elif not (isinstance(medium, HalfSpace) or offers(medium, LayerStack)):
+        known = (GradedInDepth, LayerStack, PowerOfDepth)
+        if not (isinstance(medium, HomogeneousMedium) or any(offers(medium, each) for each in known)):
             raise InvalidInput(
                 f"ContactStress: the medium is a {type(medium).__name__}; maximum stresses are implemented for "
-                "isotropic bodies, layers and graded bodies only. Give a HalfSpace, a CoatedHalfSpace, a "
-                "SlidingFilm, a StackedHalfSpace or a DepthGradedHalfSpace."
+                "homogeneous bodies, layers and graded bodies only. Give a HalfSpace, a "
+                "TransverselyIsotropicHalfSpace, a GradedHalfSpace, a CoatedHalfSpace, a SlidingFilm, a "
+                "StackedHalfSpace or a DepthGradedHalfSpace."
             )
-        if offers(medium, LayerStack):
-            bodies = (*(layer.solid for layer in medium.layers), medium.on, medium.second)
-            if len(solid_parts(medium)) < sum(not isinstance(body, Rigid) for body in bodies):
-                raise InvalidInput(
-                    "ContactStress: a layer or body is transversely isotropic; the maximum stresses are sought "
-                    "in isotropic ones only: give layers of Elastic, or see the stresses of the contact."
-                )
+        if offers(medium, PowerOfDepth) and medium.exponent < 0.0:
+            raise InvalidInput(
+                f"ContactStress: the exponent of the GradedHalfSpace is {medium.exponent:g}; below zero the modulus is "
+                "infinite at the surface, and with it the stress along the surface. Give an exponent from zero on, or "
+                "a DepthGradedHalfSpace."
+            )
+        isotropic = all(isinstance(part.solid, Elastic) for part in elastic_parts(medium))
+        if not (isinstance(self.contact, Indentation) or (isotropic and not offers(medium, GradedInDepth))):
+            raise InvalidInput(
+                f"ContactStress: the contact is a {type(self.contact).__name__} on a {type(medium).__name__}; in "
+                "graded and in transversely isotropic bodies the maximum stresses are sought under round contacts "
+                "only. Give an Indentation, or isotropic bodies and layers."
+            )
 
     @property
     def medium(self) -> object:
@@ -260,7 +262,7 @@ class ContactStressSolution:
 def _parts(medium: object) -> tuple[StrongPart, ...]:
     """Return the parts in which stresses are sought; a graded body is one, of the solid at its surface."""
     graded = (StrongPart("graded body", solid_at(medium.grading), True),) if offers(medium, GradedInDepth) else ()
-    return (*graded, *solid_parts(medium))
+    return (*graded, *elastic_parts(medium))
 
 
 def _greatest(rows: list[PartStress], kind: str) -> tuple[float, float]:
@@ -287,6 +289,12 @@ def _below_disc(contact: IndentationSolution) -> _Search:
         place = greatest_stress(pressed, part, fine=True, measure=measure)
         if place.sharp:
             raise OutsideValidity(f"ContactStress: {place.sharp}; round it off, or restore the fields beside it.")
+        if place.z <= 1.001 * least_depth(pressed):
+            raise OutsideValidity(
+                f"ContactStress: the greatest {measure.__name__} in the {part.name} lies less than {place.z:.3g} m "
+                "below the surface, where stresses in a power law are not implemented; request the stresses at given "
+                "depths, or give a DepthGradedHalfSpace."
+            )
         return _Greatest(place.value, place.z if part.first else -place.z)
 
     return find

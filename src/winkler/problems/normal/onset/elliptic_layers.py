@@ -82,4 +82,4 @@ class _PartSearch:
     def _share(self, force: float, coarse: bool) -> float:
         spot = self.search.greatest(force, self.part, near=self.near, coarse=coarse)
         self.near = spot.z if self.part.first else 0.0
-        return spot.value / self.part.solid.strength
+        return float(spot.value / self.part.solid.strength)
