@@ -190,8 +190,8 @@ def oscillation_notes(
             Assumption.CONDUCTION,
             Standing.APPROXIMATE,
             f"The oscillation about the mean, about {swing:.3g} K, is an estimate for a heat flux that "
-            "varies in time as 1 + cos(4 pi f t). The estimate is the smaller of two values: the mean temperature, and the "
-            f"amplitude of a plane that is heated uniformly.{deep}",
+            "varies in time as 1 + cos(4 pi f t). The estimate is the smaller of two values: the mean temperature, "
+            f"and the amplitude of a plane that is heated uniformly.{deep}",
             "one-dimensional diffusion; H. S. Carslaw, J. C. Jaeger, Conduction of Heat in Solids, Oxford 1959",
         ),
     )
