@@ -176,6 +176,7 @@ NOTES = {
     "problems.surface_adhesion.adhesion": (2, RECOMPUTED),
     "problems.surface_friction.joint": (2, COMPARED),
     "problems.surface_wear.wear": (1, TOLERANCE),
+    "problems.viscoelastic.steady_cycle": (1, TOLERANCE),
     "problems.wear.validity": (1, TOLERANCE),
     "problems.wear.worn_layers": (1, "the grid against the equation it stands for, computed beside it"),
     "profiles.designed": (1, RECOMPUTED),

@@ -40,7 +40,7 @@ def test_no_contact():
     position = np.linspace(0.0, 1e-6, 300)
     noise = np.random.default_rng(2).standard_normal(300)
     assert names(ForceCurve(position, 1e-11 * noise)) == ["no_contact"]
-    with pytest.raises(InvalidInput, match="curve 'air': no_contact: .* there is no contact"):
+    with pytest.raises(InvalidInput, match="curve 'air': no_contact: .* no contact can be distinguished"):
         refuse(ForceCurve(position, 1e-11 * noise, name="air"))
 
 

@@ -142,5 +142,4 @@ def test_layers_say_what_they_leave_out():
     text = " ".join(str(note) for note in joint.validity)
     assert "Both effects are neglected (Goodman)" in text
     assert f"the dissipated energy by {100.0 * joint.loss_error:.2g} % of its maximum" in text
-    with pytest.raises(OutsideValidity, match="the stress below the surface of a height map on a CoatedHalfSpace"):
-        joint.loop.stresses(0.0, 0.0, 0.1)
+    assert np.isfinite(joint.loop.stresses(0.0, 0.0, 0.1).von_mises)
