@@ -5,8 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-__all__ = ["driven"]
-
 MOST_TRIALS = 200
 """At most so many motions are tried."""
 

@@ -161,7 +161,7 @@ class ElementRow(Row[LineGoal, LineCells]):
         """Return elements that nothing has touched, on bodies whose creep has so many terms."""
         none = np.zeros(self.elements.x.size)
         crept = none, np.zeros((terms, none.size))
-        return LineCells(LineGoal(0.0, 0.0, 0.0, 0.0), *[none] * 6, 0.0, 0.0, 0.0, crept=crept)
+        return LineCells(LineGoal(0.0, 0.0, 0.0, 0.0), none, none, none, none, none, none, 0.0, 0.0, 0.0, crept=crept)
 
     def begin(self, goal: LineGoal) -> Reached[LineCells]:
         """Return the elements pressed straight down, and sheared and strained after."""
