@@ -246,3 +246,18 @@ def test_energy_over_force_and_turning_points_is_one_sweep_on_the_command_line(t
             BALL, wk.Coulomb(MU), wk.Path.oscillation(force=100.0, amplitude=wk.ShearForce(18.0), cycles=2)
         ).solve().loss_factor, rel=1e-9,
     )  # fmt: skip
+
+
+@pytest.mark.parametrize(("last", "named"), [("0 um", True), ("0.6 um", False)])
+def test_a_loop_that_does_not_close_is_named_on_the_command_line(last, named, tmp_path, capsys):
+    """Pushed for the first time the ball has no shear force at no shift, and has one when it is back there."""
+    forced = 'kind = "shear_force", shear_force = ["0 N", "10 N", "-10 N", "10 N"] }\n[sweep]'
+    shifted = f'kind = "shift", shift = ["0 um", "0.6 um", "-0.6 um", "{last}"] }}\n[sweep]'
+    assert forced in SWEPT
+    start, end = SWEPT.replace(forced, shifted).split("[sweep]")
+    (tmp_path / "loop.toml").write_text(f"{start}[output]{end.split('[output]')[1]}", encoding="utf-8")
+    assert main(["run", str(tmp_path / "loop.toml"), "--output", str(tmp_path / "out")]) == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert "loss per cycle" in said
+    assert ("The last cycle of the path, from point 0 to point 3, is not closed." in said) == named
+    assert ("is not closed" in said) == named

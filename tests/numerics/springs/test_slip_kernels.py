@@ -195,10 +195,10 @@ def test_the_row_turns_as_every_spring_by_itself(last):
     ux, uy = first * part * np.cos(angle), first * part * np.sin(angle)
     nx, ny, waste = np.zeros((3, 300))
     move = np.array([0.06, 0.02])
-    slip_plane._circle((ux, uy), first, last * first, *move, (nx, ny, waste))
+    slip_plane._circle((ux, uy), first, last * first, False, *move, (nx, ny, waste))
     row = np.array([nx, ny, waste])
     if last == 1.0:
-        slip_plane._circle_still((ux, uy), first, *move, (nx, ny, waste))
+        slip_plane._circle((ux, uy), first, first, True, *move, (nx, ny, waste))
         np.testing.assert_allclose([nx, ny, waste], row, atol=1e-14)
     observed = 0
     for i in range(300):

@@ -35,35 +35,16 @@ MOST_STEPS = 200
 
 @compiled
 def _slide(
-    u: Array, gap: Array, stiffness: Array, slope: Array, depth: float, moved: float
+    u: Array, gap: Array, stiffness: Array, slope: Array, alike: bool, depth: float, moved: float
 ) -> tuple[float, float, float]:
-    """Move springs at a constant depth; return their force, twice what they store, and what they lose."""
-    pull = 0.0
-    held = 0.0
-    loss = 0.0
-    for i in range(u.size):
-        bound = slope[i] * (depth - gap[i])
-        trial = u[i] + moved
-        v = trial if trial < bound else bound
-        v = v if v > -bound else -bound
-        u[i] = v
-        part = stiffness[i] * v
-        pull += part
-        held += part * v
-        loss += stiffness[i] * abs(trial - v) * bound
-    return pull, held, loss
+    """Move springs at a constant depth; return their force, twice what they store, and what they lose.
 
-
-@compiled
-def _slide_alike(
-    u: Array, gap: Array, stiffness: Array, slope: float, depth: float, moved: float
-) -> tuple[float, float, float]:
-    """Do what `_slide` does for springs with bounds that rise alike."""
-    pull = 0.0
-    held = 0.0
-    loss = 0.0
+    Their bounds rise as that of the first one if `alike`: whoever calls it says so by a constant.
+    """
+    pull = held = loss = 0.0
+    first = slope[0]
     for i in range(u.size):
-        bound = slope * (depth - gap[i])
+        bound = (first if alike else slope[i]) * (depth - gap[i])
         trial = u[i] + moved
         v = trial if trial < bound else bound
         v = v if v > -bound else -bound
@@ -77,15 +58,17 @@ def _slide_alike(
 
 @compiled
 def _press(
-    u: Array, gap: Array, stiffness: Array, slope: Array, depth: float, sunk: float, moved: float
+    u: Array, gap: Array, stiffness: Array, slope: Array, alike: bool, depth: float, sunk: float, moved: float
 ) -> tuple[float, float, float]:
-    """Move springs that stay in contact while the depth has changed by `sunk`."""
-    pull = 0.0
-    held = 0.0
-    loss = 0.0
+    """Move springs that stay in contact while the depth has changed by `sunk`; alike ones without a division each."""
+    pull = held = loss = 0.0
+    first = slope[0]
+    up = 1.0 / max(moved - first * sunk, ZERO_SUBSTITUTE)
+    down = 1.0 / max(-moved - first * sunk, ZERO_SUBSTITUTE)
     for i in range(u.size):
-        bound = slope[i] * (depth - gap[i])
-        closing = slope[i] * sunk
+        rise = first if alike else slope[i]
+        bound = rise * (depth - gap[i])
+        closing = rise * sunk
         trial = u[i] + moved
         v = trial if trial < bound else bound
         v = v if v > -bound else -bound
@@ -94,36 +77,14 @@ def _press(
         pull += part
         held += part * v
         s = abs(trial - v)
-        rate = (moved if trial > 0.0 else -moved) - closing
-        rate = rate if rate > s else s + ZERO_SUBSTITUTE
-        loss += stiffness[i] * s * (bound - 0.5 * closing * (s / rate))
-    return pull, held, loss
-
-
-@compiled
-def _press_alike(
-    u: Array, gap: Array, stiffness: Array, slope: float, depth: float, sunk: float, moved: float
-) -> tuple[float, float, float]:
-    """Do what `_press` does for springs with bounds that rise alike: without a division for every spring."""
-    closing = slope * sunk
-    up = 1.0 / max(moved - closing, ZERO_SUBSTITUTE)
-    down = 1.0 / max(-moved - closing, ZERO_SUBSTITUTE)
-    pull = 0.0
-    held = 0.0
-    loss = 0.0
-    for i in range(u.size):
-        bound = slope * (depth - gap[i])
-        trial = u[i] + moved
-        v = trial if trial < bound else bound
-        v = v if v > -bound else -bound
-        u[i] = v
-        part = stiffness[i] * v
-        pull += part
-        held += part * v
-        s = abs(trial - v)
-        part_of_step = s * (up if trial > 0.0 else down)
-        part_of_step = part_of_step if part_of_step < 1.0 else 1.0
-        loss += stiffness[i] * s * (bound - 0.5 * closing * part_of_step)
+        if alike:
+            share = s * (up if trial > 0.0 else down)
+            share = share if share < 1.0 else 1.0
+        else:
+            rate = (moved if trial > 0.0 else -moved) - closing
+            rate = rate if rate > s else s + ZERO_SUBSTITUTE
+            share = s / rate
+        loss += stiffness[i] * s * (bound - 0.5 * closing * share)
     return pull, held, loss
 
 
@@ -132,9 +93,7 @@ def _press_in(
     u: Array, gap: Array, stiffness: Array, slope: Array, depth: float, sunk: float, moved: float
 ) -> tuple[float, float, float]:
     """Move springs that come into contact: each by what is left of the step from then on."""
-    pull = 0.0
-    held = 0.0
-    loss = 0.0
+    pull = held = loss = 0.0
     for i in range(u.size):
         bound = slope[i] * (depth - gap[i])
         trial = moved * ((depth - gap[i]) / sunk)
@@ -198,39 +157,25 @@ def march_line(
             moved = shift[t + 1] - shift[t]
             if sunk == 0.0:
                 if alike:
-                    pull, held, loss = _slide_alike(v[:before], g[:before], k[:before], b[0], depth[t], moved)
+                    pull, held, loss = _slide(v[:before], g[:before], k[:before], b, True, depth[t], moved)
                 else:
-                    pull, held, loss = _slide(v[:before], g[:before], k[:before], b[:before], depth[t], moved)
+                    pull, held, loss = _slide(v[:before], g[:before], k[:before], b, False, depth[t], moved)
             else:
                 after = np.searchsorted(g, depth[t + 1])
                 stay = min(before, after)
                 if alike:
-                    pull, held, loss = _press_alike(v[:stay], g[:stay], k[:stay], b[0], depth[t + 1], sunk, moved)
+                    pull, held, loss = _press(v[:stay], g[:stay], k[:stay], b, True, depth[t + 1], sunk, moved)
                 else:
-                    pull, held, loss = _press(v[:stay], g[:stay], k[:stay], b[:stay], depth[t + 1], sunk, moved)
+                    pull, held, loss = _press(v[:stay], g[:stay], k[:stay], b, False, depth[t + 1], sunk, moved)
                 if after > before:
-                    more, further, waste = _press_in(
-                        v[before:after],
-                        g[before:after],
-                        k[before:after],
-                        b[before:after],
-                        depth[t + 1],
-                        sunk,
-                        moved,
-                    )
+                    new = slice(before, after)
+                    more, further, waste = _press_in(v[new], g[new], k[new], b[new], depth[t + 1], sunk, moved)
                     pull += more
                     held += further
                     loss += waste
                 elif after < before:
-                    loss += _unload(
-                        v[after:before],
-                        g[after:before],
-                        k[after:before],
-                        b[after:before],
-                        depth[t],
-                        sunk,
-                        moved,
-                    )
+                    old = slice(after, before)
+                    loss += _unload(v[old], g[old], k[old], b[old], depth[t], sunk, moved)
                 before = after
             force[t] += pull
             stored[t] += 0.5 * held

@@ -35,8 +35,10 @@ SPRINGS_PER_ROW = 128
 
 
 @compiled
-def _circle(u: Pair, first: Array, last: Array, mx: float, my: float, new: Three) -> int:
+def _circle(u: Pair, first: Array, last: Array, still: bool, mx: float, my: float, new: Three) -> int:
     """Do what `travel` does for a whole row at once; return how many are odd.
+
+    No bound changes if `still`: whoever calls it says so by a constant, so that what that spares is left out.
 
     Those are the ones that slip and turn, or whose bound changes, by more in this step than the series here, for
     exponential and logarithm, are made for; they are marked by a negative `waste`.
@@ -47,33 +49,44 @@ def _circle(u: Pair, first: Array, last: Array, mx: float, my: float, new: Three
     length = math.sqrt(square)
     ex = mx / length if length > 0.0 else 1.0
     ey = my / length if length > 0.0 else 0.0
+    once = 1.0 / square if square > 0.0 else 0.0
     odd = 0
     for i in range(ux.size):
         x, y = ux[i], uy[i]
-        b0, b1 = first[i], last[i]
+        b1 = last[i]
         tx, ty = x + mx, y + my
         slip = tx * tx + ty * ty > b1 * b1
         # where on its path it reaches the bound
-        fall = b1 - b0
-        fast = square - fall * fall
-        slope = x * mx + y * my - b0 * fall
-        inside = x * x + y * y - b0 * b0
-        below = slope * slope - fast * inside
-        root = math.sqrt(below if below > 0.0 else 0.0)
-        outward = slope > 0.0
-        part = (-inside if outward else root - slope) / (slope + root if outward else fast)
+        if still:
+            slope = x * mx + y * my
+            below = slope * slope - square * (x * x + y * y - b1 * b1)
+            part = (math.sqrt(below if below > 0.0 else 0.0) - slope) * once
+            fall = 0.0
+        else:
+            b0 = first[i]
+            fall = b1 - b0
+            fast = square - fall * fall
+            slope = x * mx + y * my - b0 * fall
+            inside = x * x + y * y - b0 * b0
+            below = slope * slope - fast * inside
+            root = math.sqrt(below if below > 0.0 else 0.0)
+            outward = slope > 0.0
+            part = (-inside if outward else root - slope) / (slope + root if outward else fast)
         part = part if part > 0.0 else 0.0
         part = part if part < 1.0 else 1.0
         hx, hy = x + part * mx, y + part * my
-        bound = b0 + part * fall
         distance = length * (1.0 - part)
-        # the logarithmic mean of the bound over the rest of the path: w / artanh w
-        mean = 0.5 * (bound + b1)
-        w = 0.5 * (b1 - bound) / mean
-        w *= w
-        series = LOG6 + w * LOG7
-        series = LOG4 + w * (LOG5 + w * series)
-        middle = mean * (1.0 + w * (LOG1 + w * (LOG2 + w * (LOG3 + w * series))))
+        bound = mean = middle = b1
+        w = 0.0
+        if not still:
+            bound = first[i] + part * fall
+            # the logarithmic mean of the bound over the rest of the path: w / artanh w
+            mean = 0.5 * (bound + b1)
+            w = 0.5 * (b1 - bound) / mean
+            w *= w
+            series = LOG6 + w * LOG7
+            series = LOG4 + w * (LOG5 + w * series)
+            middle = mean * (1.0 + w * (LOG1 + w * (LOG2 + w * (LOG3 + w * series))))
         # exp(-distance / middle): a Pade fraction, squared five times
         limit = 32.0 * middle
         z = (distance if distance < limit else limit) * 0.03125
@@ -101,79 +114,21 @@ def _circle(u: Pair, first: Array, last: Array, mx: float, my: float, new: Three
         vv = v * v
         series = 1.0 / 9.0 + vv * (1.0 / 11.0 + vv * (1.0 / 13.0 + vv * (1.0 / 15.0)))
         series = 1.0 + vv * (1.0 / 3.0 + vv * (0.2 + vv * (1.0 / 7.0 + vv * series)))
-        # what is not lost because the spring does not yet point ahead: the integral of b^2 times something that falls
-        # nearly exponentially, and the integral of which is known
         series_term = 2.0 * v * series
-        fades = (1.0 - turn) * (plus * distance * rest - 4.0 * (b1 - bound) * bound * whole * series)
-        square_b = (bound * bound * whole - 2.0 * turn * bound * b1 * b1) * distance * rest / fades
-        low = bound * bound if bound < b1 else b1 * b1
-        high = bound * bound if bound > b1 else b1 * b1
-        square_b = square_b if square_b > low else low
-        square_b = square_b if square_b < high else high
-        loss = mean * (distance + bound - b1) - square_b * series_term
+        if still:
+            loss = bound * (distance - bound * series_term)
+        else:
+            # what is not lost because the spring does not yet point ahead: the integral of b^2 times something that
+            # falls nearly exponentially, and the integral of which is known
+            fades = (1.0 - turn) * (plus * distance * rest - 4.0 * (b1 - bound) * bound * whole * series)
+            square_b = (bound * bound * whole - 2.0 * turn * bound * b1 * b1) * distance * rest / fades
+            low = bound * bound if bound < b1 else b1 * b1
+            high = bound * bound if bound > b1 else b1 * b1
+            square_b = square_b if square_b > low else low
+            square_b = square_b if square_b < high else high
+            loss = mean * (distance + bound - b1) - square_b * series_term
         loss = loss if loss > 0.0 else 0.0
         plain = (w <= 0.0225) & (gone <= 0.6 * bound) & (bound > 0.0)
-        nx[i] = (ahead * ex - across * ey) if slip else tx
-        ny[i] = (ahead * ey + across * ex) if slip else ty
-        waste[i] = (loss if plain else -1.0) if slip else 0.0
-        odd += 1 if (slip & (not plain)) else 0
-    return odd
-
-
-@compiled
-def _circle_still(u: Pair, last: Array, mx: float, my: float, new: Three) -> int:
-    """Do what `_circle` does where no bound changes."""
-    ux, uy = u
-    nx, ny, waste = new
-    square = mx * mx + my * my
-    length = math.sqrt(square)
-    ex = mx / length if length > 0.0 else 1.0
-    ey = my / length if length > 0.0 else 0.0
-    once = 1.0 / square if square > 0.0 else 0.0
-    odd = 0
-    for i in range(ux.size):
-        x, y = ux[i], uy[i]
-        bound = last[i]
-        tx, ty = x + mx, y + my
-        slip = tx * tx + ty * ty > bound * bound
-        # where on its path it reaches the bound
-        slope = x * mx + y * my
-        below = slope * slope - square * (x * x + y * y - bound * bound)
-        part = (math.sqrt(below if below > 0.0 else 0.0) - slope) * once
-        part = part if part > 0.0 else 0.0
-        part = part if part < 1.0 else 1.0
-        hx, hy = x + part * mx, y + part * my
-        distance = length * (1.0 - part)
-        # exp(-distance / bound): a Pade fraction, squared five times
-        limit = 32.0 * bound
-        z = (distance if distance < limit else limit) * 0.03125
-        zz = z * z
-        mm = bound * bound
-        even = mm * mm + zz * (mm * (3.0 / 28.0) + zz * (1.0 / 1680.0))
-        uneven = z * bound * (0.5 * mm + zz * (1.0 / 84.0))
-        shrink = (even - uneven) / (even + uneven)
-        for _ in range(5):
-            shrink *= shrink
-        turn = shrink * shrink
-        ahead = hx * ex + hy * ey
-        across = ex * hy - ey * hx
-        plus, minus = bound + ahead, bound - ahead
-        minus = minus if minus > 0.0 else 0.0
-        # the logarithm is 2 artanh v; both fractions by one division
-        gone = minus * (1.0 - turn)
-        whole = plus + minus * turn
-        rest = 4.0 * bound - gone
-        inverse = 1.0 / (whole * rest)
-        share = bound * rest * inverse
-        ahead = share * (plus - minus * turn)
-        across = share * 2.0 * shrink * across
-        v = gone * whole * inverse
-        vv = v * v
-        series = 1.0 / 9.0 + vv * (1.0 / 11.0 + vv * (1.0 / 13.0 + vv * (1.0 / 15.0)))
-        series = 1.0 + vv * (1.0 / 3.0 + vv * (0.2 + vv * (1.0 / 7.0 + vv * series)))
-        loss = bound * (distance - 2.0 * bound * v * series)
-        loss = loss if loss > 0.0 else 0.0
-        plain = (gone <= 0.6 * bound) & (bound > 0.0)
         nx[i] = (ahead * ex - across * ey) if slip else tx
         ny[i] = (ahead * ey + across * ex) if slip else ty
         waste[i] = (loss if plain else -1.0) if slip else 0.0
@@ -225,7 +180,7 @@ def _row(
         return pull_x, pull_y, held, 0.0
     odd = ux.size
     if hold == 1.0:
-        odd = _circle_still(u, last, mx, my, new) if still else _circle(u, first, last, mx, my, new)
+        odd = _circle(u, first, last, True, mx, my, new) if still else _circle(u, first, last, False, mx, my, new)
     for i in range(ux.size if odd > 0 else 0):
         if hold > 1.0 or waste[i] < 0.0:
             nx[i], ny[i], waste[i], slips[i] = travel(ux[i], uy[i], first[i], last[i], mx, my, hold, slips[i])

@@ -36,7 +36,7 @@ from winkler.problems.line_friction.path import LinePath
 from winkler.problems.row import Reached, Row
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["ElementRow", "LineCells", "LineGoal", "TouchingElements", "refuse_sliding", "stuck_compliance"]
+__all__ = ["ElementRow", "LineCells", "LineGoal", "Response", "TouchingElements", "refuse_sliding", "stuck_compliance"]
 
 STEPS, STEPS_BESIDE = 24, 72
 """Steps over a change of the shear force by what friction bears at most, and of the bulk stress in proportion; while
@@ -105,9 +105,9 @@ class LineCells(NamedTuple):
         How far they came ahead in the last step, and the half-width over A at its beginning.
     half_width, shift
         Over A.
-    number, crept
-        Of bodies that relax the step that they have reached, and what of the tractions has flowed ``(n,)`` and is
-        delayed ``(k, n)``.
+    crept, number
+        Of bodies that relax what of the tractions has flowed ``(n,)`` and is delayed ``(k, n)``, and the step that
+        they have reached.
     """
 
     goal: LineGoal
@@ -120,10 +120,14 @@ class LineCells(NamedTuple):
     half_width_before: float
     half_width: float
     shift: float
+    crept: tuple[Array, Array]
     number: int = -1
-    crept: tuple[Array, Array] = (np.zeros(0), np.zeros((0, 0)))
     turned: LineCells | None = None
     """The turning point of the shear force from which they came, under a steady normal force."""
+
+
+Response = tuple[StuckStrip, float, Array | float]
+"""Of a step: the elements, a factor of their compliance, and how far they are moved without new tractions."""
 
 
 class ElementRow(Row[LineGoal, LineCells]):
@@ -153,12 +157,16 @@ class ElementRow(Row[LineGoal, LineCells]):
         found = under_force(bed, forces * self.elements.scale) / self.elements.scale  # at once, not one by one
         self.half_widths = dict(zip(forces.tolist(), np.minimum(found, 1.0).tolist(), strict=True))
 
+    def _rest(self, terms: int = 0) -> LineCells:
+        """Return elements that nothing has touched, on bodies whose creep has so many terms."""
+        none = np.zeros(self.elements.x.size)
+        crept = none, np.zeros((terms, none.size))
+        return LineCells(LineGoal(0.0, 0.0, 0.0, 0.0), none, none, none, none, none, none, 0.0, 0.0, 0.0, crept=crept)
+
     def begin(self, goal: LineGoal) -> Reached[LineCells]:
         """Return the elements pressed straight down, and sheared and strained after."""
-        none = np.zeros(self.elements.x.size)
         down = goal._replace(shear=0.0, strain=0.0, bulk=0.0)
-        cells = LineCells(LineGoal(0.0, 0.0, 0.0, 0.0), none, none, none, none, none, none, 0.0, 0.0, 0.0)
-        pressed = self._go(cells, down, np.array(down[:3]), 0.5 * goal.force)
+        pressed = self._go(self._rest(), down, np.array(down[:3]), 0.5 * goal.force)
         return pressed.then(self.step(pressed.state, goal))
 
     def step(self, state: LineCells, goal: LineGoal) -> Reached[LineCells]:
@@ -245,44 +253,60 @@ class ElementRow(Row[LineGoal, LineCells]):
 
     def _go(self, cells: LineCells, goal: LineGoal, at: Array, between: float) -> Reached[LineCells]:
         """Return the elements under forces on the way; `between` is the normal force in the middle of the step."""
-        elements, (force, shear, strain) = self.elements, at.tolist()
+        force, shear, strain = at.tolist()
+        bound, half_width = cells.bound, self.half_widths[force]
+        middle = bound
+        if force != cells.goal.force:
+            bound, middle = self._bound(force), self._bound(between)
         at_goal = goal._replace(force=force, shear=shear, strain=strain)
-        none = np.zeros(elements.x.size)
-        if force <= 0.0:
-            ahead = -strain * elements.x
-            parted = LineCells(at_goal, none, none, ahead, none, cells.rubbed, ahead - cells.ahead, 0.0, 0.0, 0.0)
+        reached = self._moved(cells, at_goal, bound, middle, half_width, (self.grid, 1.0, 0.0))
+        new = reached.state
+        near = abs(shear) > SLIDING_SHARE * self.friction * force or half_width < LEAST_WIDTH
+        stuck = float(self.elements.widths @ ((new.slips == 0.0) & (bound > 0.0)))
+        if self.strained and force > 0.0 and not near and stuck < LEAST_STUCK * 2.0 * half_width:
+            raise OutsideValidity(
+                f"the bulk stress, of {goal.bulk:.6g} Pa there, makes all of the contact slip outwards or inwards "
+                "on the way but for less than a hundredth of it; give a smaller one."
+            )
+        return reached
+
+    def _moved(
+        self, cells: LineCells, goal: LineGoal, bound: Array, middle: Array, half_width: float, response: Response
+    ) -> Reached[LineCells]:
+        """Return the elements at the end of one straight step.
+
+        `bound` and `middle` are what friction bears there and in the middle of the step.
+        """
+        elements, (grid, compliance, carried) = self.elements, response
+        free = -goal.strain * elements.x - carried
+        if half_width == 0.0:
+            none = np.zeros(elements.x.size)
+            parted = cells._replace(
+                goal=goal, traction=none, bound=none, slips=none, ahead=free, last=free - cells.ahead,
+                half_width=0.0, half_width_before=0.0, shift=0.0,
+            )  # fmt: skip
             return Reached(parted, math.nan, 0.0)
-        changes = force != cells.goal.force
-        bound = self._bound(force) if changes else cells.bound
-        middle = self._bound(between) if changes else bound
-        met = self._met(cells, (bound > 0.0) & (cells.bound == 0.0))
-        half_width = self.half_widths[force]
-        before = -met - strain * elements.x
         touches = bound > 0.0
-        if abs(shear) >= self.friction * force * (1.0 - ROUNDING):
-            side = math.copysign(1.0, shear)
+        met = self._met(cells, touches & (cells.bound == 0.0))
+        before = free - met
+        if abs(goal.shear) >= self.friction * goal.force * (1.0 - ROUNDING):
+            side = math.copysign(1.0, goal.shear)
             traction, slips = side * bound, side * touches
-            moved = elements.compliance @ traction
+            moved = grid.compliance @ (compliance * traction)
             shift = float(side * np.max(side * (moved - before), where=touches, initial=-math.inf))
         else:
-            traction, slips, shift, moved = strip_step(
-                self.grid, before, bound, cells.slips, total=shear, rounding=ROUNDING
+            found, slips, shift, moved = strip_step(
+                grid, before, compliance * bound, cells.slips, total=compliance * goal.shear, rounding=ROUNDING
             )
-            stuck = float(elements.widths @ ((slips == 0.0) & touches))
-            near = abs(shear) > SLIDING_SHARE * self.friction * force or half_width < LEAST_WIDTH
-            if stuck < LEAST_STUCK * 2.0 * half_width and not near and self.strained:
-                raise OutsideValidity(
-                    f"the bulk stress, of {goal.bulk:.6g} Pa there, makes all of the contact slip outwards or inwards "
-                    "on the way but for less than a hundredth of it; give a smaller one."
-                )
-        ahead = shift - strain * elements.x - moved
+            traction = found / compliance
+        ahead = shift + free - moved
         gone = ahead - met
         slipped = np.where(touches, np.maximum(slips * gone, 0.0), np.abs(gone))  # what parts slips before
         rubbed = (cells.bound + 4.0 * middle + bound) / 6.0 * slipped
         ahead = np.where(touches & (slips == 0.0), met, ahead)
-        new = LineCells(
-            at_goal, traction, bound, ahead, slips, cells.rubbed + rubbed, ahead - cells.ahead, cells.half_width,
-            half_width, shift,
+        new = cells._replace(
+            goal=goal, traction=traction, bound=bound, ahead=ahead, slips=slips, rubbed=cells.rubbed + rubbed,
+            last=ahead - cells.ahead, half_width_before=cells.half_width, half_width=half_width, shift=shift,
         )  # fmt: skip
         return Reached(new, math.nan, float(rubbed @ elements.widths))
 

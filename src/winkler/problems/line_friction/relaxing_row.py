@@ -31,7 +31,7 @@ from winkler.media.relaxing.at_rate import half_space_creep
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.springs.exponential_sums import CreepSeries
 from winkler.numerics.springs.rate_fit import RateFit
-from winkler.numerics.surfaces.strip_grid import StuckStrip, strip_step
+from winkler.numerics.surfaces.strip_grid import StuckStrip
 from winkler.numerics.types import Array
 from winkler.problems.line_friction.element_row import (
     ROUNDING,
@@ -40,6 +40,7 @@ from winkler.problems.line_friction.element_row import (
     ElementRow,
     LineCells,
     LineGoal,
+    Response,
     refuse_sliding,
     stuck_compliance,
 )
@@ -261,10 +262,7 @@ class RelaxingElementRow(ElementRow):
 
     def begin(self, goal: LineGoal) -> Reached[LineCells]:
         """Return the elements at the first point, which comes suddenly, the normal force first."""
-        none = np.zeros(self.elements.x.size)
-        crept = none, np.zeros((self.creep.times.size, none.size))
-        rest = LineGoal(0.0, 0.0, 0.0, 0.0)
-        return self.step(LineCells(rest, none, none, none, none, none, none, 0.0, 0.0, 0.0, crept=crept), goal)
+        return self.step(self._rest(self.creep.times.size), goal)
 
     def step(self, state: LineCells, goal: LineGoal) -> Reached[LineCells]:
         """Return the elements after forces and strain have changed in proportion."""
@@ -277,50 +275,22 @@ class RelaxingElementRow(ElementRow):
 
     def _onto(self, cells: LineCells, number: int) -> Reached[LineCells]:
         """Return the elements at the end of one step."""
-        elements, state = self.elements, self.pressed[number]
+        state, unit = self.pressed[number], self.unit
         dt = float(self.times[number] - self.times[number - 1]) if number else 0.0
-        grid, compliance, carried = self._carried(cells, dt)
-        force, shear, strain = self.across[number], self.along[number] / self.unit, float(self.strains[number])
-        goal = LineGoal(force / self.unit, shear, strain, 0.0)
-        if state.half_width == 0.0:
-            if shear != 0.0:
-                raise self._sudden(number)
-            none = np.zeros(elements.x.size)
-            ahead = -strain * elements.x - carried
-            parted = cells._replace(
-                goal=goal, traction=none, bound=none, slips=none, ahead=ahead, last=ahead - cells.ahead,
-                half_width=0.0, half_width_before=0.0, shift=0.0, number=number, crept=self._kept(cells, none, dt),
-            )  # fmt: skip
-            return Reached(parted, math.nan, 0.0)
-        a = state.half_width / elements.scale
-        bound = self.friction * self._pressures(state, a)
-        met = self._met(cells, (bound > 0.0) & (cells.bound == 0.0))
-        touches = bound > 0.0
-        before = -met - strain * elements.x - carried
-        if compliance == 0.0:
+        response = self._carried(cells, dt)
+        force, shear, strain = (float(row[number]) for row in (self.across, self.along, self.strains))
+        goal, a = LineGoal(force / unit, shear / unit, strain, 0.0), state.half_width / self.elements.scale
+        if a == 0.0 and shear != 0.0:
+            raise self._sudden(number)
+        if a > 0.0 and response[1] == 0.0:
             if goal.force == cells.goal.force and self.along[number] == self.along[number - 1]:
                 return Reached(cells._replace(number=number), math.nan, 0.0)
             raise self._sudden(number)
-        if abs(shear) >= self.friction * goal.force * (1.0 - ROUNDING):
-            side = math.copysign(1.0, shear)
-            traction, slips = side * bound, side * touches
-            moved = grid.compliance @ (compliance * traction)
-            shift = float(side * np.max(side * (moved - before), where=touches, initial=-math.inf))
-        else:
-            found, slips, shift, moved = strip_step(
-                grid, before, compliance * bound, cells.slips, total=compliance * float(shear), rounding=ROUNDING
-            )
-            traction = found / compliance
-        ahead = shift - moved + before + met
-        gone = ahead - met
-        slipped = np.where(touches, np.maximum(slips * gone, 0.0), np.abs(gone))  # what parts slips before
-        rubbed = 0.5 * (cells.bound + bound) * slipped
-        ahead = np.where(touches & (slips == 0.0), met, ahead)
-        new = LineCells(
-            goal, traction, bound, ahead, slips, cells.rubbed + rubbed, ahead - cells.ahead, cells.half_width, a, shift,
-            number, self._kept(cells, traction, dt),
-        )  # fmt: skip
-        return Reached(new, math.nan, float(rubbed @ elements.widths))
+        bound = self.friction * self._pressures(state, a) if a > 0.0 else np.zeros(cells.bound.size)
+        # loads change in proportion over a step: what friction bears in the middle is the mean
+        reached = self._moved(cells, goal, bound, 0.5 * (cells.bound + bound), a, response)
+        new = reached.state._replace(number=number, crept=self._kept(cells, reached.state.traction, dt))
+        return reached._replace(state=new)
 
     def _sudden(self, number: int) -> OutsideValidity:
         """Return the refusal of a step that takes no time."""
@@ -329,7 +299,7 @@ class RelaxingElementRow(ElementRow):
             "infinite traction; give the step some time."
         )
 
-    def _carried(self, cells: LineCells, dt: float) -> tuple[StuckStrip, float, Array]:
+    def _carried(self, cells: LineCells, dt: float) -> Response:
         """Return elements and effective compliance of a step, and how far they have crept already at its end ``(n,)``.
 
         What is carried has flowed, and is delayed by each term.

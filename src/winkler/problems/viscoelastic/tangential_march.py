@@ -254,8 +254,7 @@ class DraggedRow(Row[DragGoal, DraggedSprings]):
             closed = row.depth - gap - np.exp(-rates * dt) @ state.row.memory[: rates.size, these]
             met = np.divide(apart, apart + closed, out=np.zeros(apart.size), where=apart + closed > 0.0)
             share[caught] = 1.0 - np.clip(met, 0.0, 1.0)
-        moved = goal.along - state.shift if self.by_shift else self._shift_under(state, bounds, share, dt, goal.along)
-        new, sums = self._dragged(state, bounds, share, dt, moved)
+        moved, new, sums = self._dragged_to(state, bounds, share, dt, goal.along)
         shear_force, lost, work, stored, _, bulk = sums.tolist()
         new = new._replace(
             goal=goal,
@@ -294,8 +293,13 @@ class DraggedRow(Row[DragGoal, DraggedSprings]):
         )  # fmt: skip
         return new, sums
 
-    def _shift_under(self, state: DraggedSprings, bounds: Array, share: Array, dt: float, prescribed: float) -> float:
-        """Return by how much the bodies move until the springs bear a shear force."""
+    def _dragged_to(
+        self, state: DraggedSprings, bounds: Array, share: Array, dt: float, prescribed: float
+    ) -> tuple[float, DraggedSprings, Array]:
+        """Return how far the bodies move to a shift or a shear force, and what `_dragged` returns there."""
+        if self.by_shift:
+            moved = prescribed - state.shift
+            return moved, *self._dragged(state, bounds, share, dt, moved)
         cells, endless = self.cells, math.isinf(self.coefficient)
         most = 0.0 if endless else float(cells.weights @ bounds)
         close = FORCE_TOLERANCE * max(most, abs(prescribed))
@@ -308,13 +312,16 @@ class DraggedRow(Row[DragGoal, DraggedSprings]):
             )
         stuck = self.scales.shear_force / self.scales.shift
 
+        found = state, np.empty(0)
+
         def borne(moved: float) -> tuple[float, float]:
-            sums = self._dragged(state, bounds, share, dt, moved)[1]
+            nonlocal found
+            found = _, sums = self._dragged(state, bounds, share, dt, moved)
             return float(sums[0]), float(sums[4]) if sums[4] > 0.0 else stuck
 
-        moved = driven(borne, prescribed, state.slide * dt, close)
-        if moved is not None:
-            return moved
+        needed = driven(borne, prescribed, state.slide * dt, close)
+        if needed is not None:  # which was tried last
+            return needed, *found
         raise NotConverged(
             f"the springs find no {cells.motion.lower()} at which they bear a {cells.load} of {prescribed:.6g} "
             f"{cells.unit}."
