@@ -70,7 +70,7 @@ class Failures:
             self.shown.write_line(f"\nFAILED {report.nodeid} ({report.when}): {reason}"[:300], red=True)
 
 
-MOST_SLOW = 4
+MOST_SLOW = 3
 """Slow members of one test."""
 
 
