@@ -48,7 +48,29 @@ def pytest_configure(config: pytest.Config) -> None:
             os.environ["NUMBA_CACHE_DIR"] = fresh.name
 
 
-MOST_SLOW = 4
+def pytest_sessionstart(session: pytest.Session) -> None:
+    """Name failures at once; workers show nothing, and `-v` names each test."""
+    shown = session.config.pluginmanager.get_plugin("terminalreporter")
+    if shown is not None and session.config.get_verbosity() < 1:
+        session.config.pluginmanager.register(Failures(shown))
+
+
+class Failures:
+    """Names a test as soon as it fails, with the first line of why: its whole report stands at the end of the run."""
+
+    def __init__(self, shown: Any) -> None:
+        self.shown = shown
+
+    @pytest.hookimpl(trylast=True)
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        """Write it below the dots."""
+        if report.failed:
+            crash = getattr(report.longrepr, "reprcrash", None)
+            reason = crash.message.partition("\n")[0] if crash else ""
+            self.shown.write_line(f"\nFAILED {report.nodeid} ({report.when}): {reason}"[:300], red=True)
+
+
+MOST_SLOW = 3
 """Slow members of one test."""
 
 

@@ -12,6 +12,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import tomli_w
+from example_answers import LASTING
 
 import winkler as wk
 from winkler.cli import main
@@ -30,8 +31,14 @@ from winkler.study.report.headline.shown_contact import shown_contact, shown_poi
 from winkler.study.report.headline.summary import CALLED, contact_summary
 from winkler.values.units import quantity
 
-SLOW_EXAMPLES = {"viscoelastic_impact"}
-KINDS = [pytest.param(kind, marks=[pytest.mark.slow] * (kind in SLOW_EXAMPLES)) for kind in answers()]
+SLOW_EXAMPLES = LASTING | {"viscoelastic_impact"}
+
+
+def marked(kinds):
+    return [pytest.param(kind, marks=[pytest.mark.slow] * (kind in SLOW_EXAMPLES)) for kind in kinds]
+
+
+KINDS = marked(answers())
 WITHOUT_FORCES = {"held_contacts", "spot_cluster", "band_heating"}
 STRESSES = {"von_mises", "max_shear", "orthogonal_shear"}
 MAPS = {
@@ -259,7 +266,7 @@ def pressed_map(kind):
     return medium, loads
 
 
-@pytest.mark.parametrize("kind", sorted(MAPS))
+@pytest.mark.parametrize("kind", marked(sorted(MAPS)))
 def test_stresses_of_maps_are_those_of_a_search_between_their_pixels(kind):
     """By `MapStress`, which climbs from place to place, where the summary compares depths; of all heavy states."""
     medium, loads = pressed_map(kind)

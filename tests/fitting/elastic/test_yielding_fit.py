@@ -83,7 +83,9 @@ def test_the_numbers_come_back(name):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", WORLDS)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=[pytest.mark.long] * (name == "hardening")) for name in WORLDS]
+)
 def test_intervals_hold(name):
     """Fewer hits than this happen once in a thousand tests of an interval of 92 %."""
     count = 40

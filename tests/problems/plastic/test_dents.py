@@ -108,7 +108,7 @@ def test_the_strength_of_a_metal_that_hardens_is_where_it_begins():
     assert any("A dent determines one strength" in note.statement for note in plain.validity)
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", [wk.Radius, wk.Depth])
 def test_errors_are_those_of_many_measurements(kind):
     left = pressed(ball(STEEL), [1000.0, 0.0])

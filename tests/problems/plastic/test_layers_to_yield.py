@@ -76,7 +76,7 @@ def test_the_first_part_to_yield_is_named_with_its_load(kind):
             beyond.solve()
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", COATED)
 def test_impacts_below_yield_follow_the_equation_of_motion(kind):
     bed, first = COATED[kind], onset(kind)

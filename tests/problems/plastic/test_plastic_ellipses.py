@@ -149,7 +149,7 @@ def test_bricks_have_the_ball_of_rings():
     assert np.mean(area[3:]) == pytest.approx(1.0, abs=0.02)
 
 
-@pytest.mark.slow
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize(("ratio", "poisson"), [(4.0, 0.3), (31.0, 0.3), (31.0, 0.45)])
 def test_depth_area_and_dent_are_those_of_bricks(ratio, poisson):
     """No part of the fit; what the mesh misses of a ball is taken off. Areas are counts of some hundred nodes."""

@@ -120,6 +120,7 @@ def test_bodies_that_slide_all_along_lose_mu_times_the_normal_impulse(bed):
     np.testing.assert_allclose(solved.angular_velocity, impulse * RADIUS / INERTIA, rtol=1e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("mu", "lateral"), [(0.2, 0.3), (0.2, 0.8), (math.inf, 0.5)])
 def test_a_blow_that_sticks_in_part_is_that_of_a_march_in_time(mu, lateral):
     """Springs from the dents of `PlasticIndentation`, in even steps of time: another discretisation of both."""

@@ -45,6 +45,7 @@ def test_an_ellipse_on_equal_layers_has_the_stress_of_the_closed_form(ratio):
     assert found == pytest.approx(known, rel=5e-3)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("young", [0.1, 10.0])
 @pytest.mark.parametrize("friction", [0.0, 0.2])
 def test_an_ellipse_that_is_a_ball_has_the_stress_of_the_round_engine(young, friction):
@@ -56,6 +57,7 @@ def test_an_ellipse_that_is_a_ball_has_the_stress_of_the_round_engine(young, fri
     assert (found, part) == (pytest.approx(known, rel=1e-2), named)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("medium", [wk.HalfSpace(BASE), coated(0.1), coated(10.0)])
 def test_a_nearly_round_body_that_is_round_has_the_stress_of_the_round_engine(medium):
     found, part = share(wk.NearlyRoundIndentation((BALL,) * 6, medium, FORCE).solve().validity)

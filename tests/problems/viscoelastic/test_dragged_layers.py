@@ -82,6 +82,7 @@ def inverted(answer, age, terms=16):
     return 0.4 / age * float(np.real(sum(w / one * answer(one) for w, one in zip(weights, s, strict=True))))
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize("ratio", [0.3, 3.0, pytest.param(10.0, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("young", [2.6, 0.026])
 @pytest.mark.parametrize("twisted", [False, True])

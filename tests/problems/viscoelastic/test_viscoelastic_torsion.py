@@ -61,9 +61,8 @@ def cycles(count, per, rest=10.0, frequency=1.5):
     return np.append(0.0, rest + time), np.append(0.0, np.sin(2.0 * np.pi * frequency * time))
 
 
-@pytest.mark.parametrize(
-    "solid", [STANDARD, pytest.param(Prony(0.05, [0.2, 0.3], [0.01, 0.5]), marks=pytest.mark.slow)]
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("solid", [STANDARD, Prony(0.05, [0.2, 0.3], [0.01, 0.5])])
 def test_a_stuck_twist_loses_pi_torque_squared_times_the_loss_compliance(solid):
     a, torque, per = 0.1, 1e-6, 200
     time, wave = cycles(60, per, rest=300.0)

@@ -94,7 +94,7 @@ def test_the_first_state_is_the_contact_before_wear(k):
     assert worn.worn_volume_per_length[1] == pytest.approx(1e-13 * LOAD * 10.0, rel=1e-3)
 
 
-@pytest.mark.few(1, slow=3)
+@pytest.mark.few(0, slow=2)
 @pytest.mark.parametrize("k", EXPONENTS)
 def test_fretting_begins_with_the_loss_of_a_cycle_and_ends_at_the_limit(k):
     forces = wk.LineForce(LOAD), wk.LineShearForce(SWING)
