@@ -39,7 +39,14 @@ MAPS = {
     "profile_pair", "profile_pair_rolling", "surface_tangential", "joint_stiffness", "surface_rolling",
     "surface_rolling_start", "surface_friction_heating",
 }  # fmt: skip
-FOLLOW = {*MAPS, "viscoelastic_indentation", "plastic_indentation", "line_plastic_indentation"}
+FOLLOW = {
+    *MAPS, "viscoelastic_indentation", "plastic_indentation", "line_plastic_indentation", "creep_test",
+    "relaxation_test",
+}  # fmt: skip
+OWN_PRESSURE = {
+    "line_viscoelastic_indentation", "line_rolling_resistance", "line_sliding_wear", "line_fretting_wear",
+    "line_limiting_profile",
+} & set(answers())  # fmt: skip
 SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−µΩ", "0123456789--uΩ")
 FORCES, MODULI = r"[kMGmµ]?N(?:/m|/mm)?", r"[kMG]?Pa"
 MOVED, KEPT = 1e-9, 1e-2
@@ -152,6 +159,8 @@ def other_stress(kind, key):
         return getattr(ContactStress(found.problem).solve(), key), 1e-6
     if hasattr(found, "longitudinal_semi_axis"):  # the principal axes of an ellipse on half-spaces, by its own pressure
         return greatest_below_ellipse(found, key), 1e-3
+    if kind in OWN_PRESSURE:
+        return greatest_below_line_loads(point, bed.medium.first.poisson, key), 2e-3
     if isinstance(bed, wk.LineFoundation):
         force = getattr(found, "force_per_length", None)
         load = wk.HalfWidth(np.max(found.half_width)) if force is None else wk.LineForce(float(np.max(force)))
@@ -161,6 +170,31 @@ def other_stress(kind, key):
         x, z = np.meshgrid(reach * np.linspace(-1.2, 1.2, 301), reach * np.linspace(0.01, 2.0, 300))
         return np.max(measured(found.stresses(x, z), key)), 2e-3
     return None, None
+
+
+def greatest_below_line_loads(point, poisson, key):
+    """Return the greatest stress below a strip as a sum of Flamant's line loads."""
+    forces = [round(float(np.max(one.force_per_length)), 9) for one in point.each]
+    found = [one for one, force in zip(point.each, forces, strict=True) if force == max(forces)][-1]
+    half = float(np.max(found.half_width))
+    low, high = float(getattr(found, "trailing_edge", -half)), float(getattr(found, "leading_edge", half))
+    places = 0.5 * (low + high) - 0.5 * (high - low) * np.cos(np.pi * (np.arange(2000) + 0.5) / 2000)
+    pressure = found.pressure
+    loads = pressure(places) if callable(pressure) else np.interp(np.abs(places), found.places, pressure)
+    loads = loads * 0.5 * (high - low) * np.sin(np.pi * (np.arange(2000) + 0.5) / 2000) * np.pi / 2000
+    x, z = np.meshgrid(np.linspace(low, high, 41), half * np.linspace(0.1, 1.5, 141))
+    across = x[..., None] - places
+    share = -2.0 / np.pi * loads / (across**2 + z[..., None] ** 2) ** 2
+    xx, zz, xz = (
+        np.sum(share * part, axis=-1)
+        for part in (
+            across**2 * z[..., None],
+            np.broadcast_to(z[..., None] ** 3, across.shape),
+            across * z[..., None] ** 2,
+        )
+    )
+    below = SimpleNamespace(xx_stress=xx, yy_stress=poisson * (xx + zz), zz_stress=zz, xz_stress=xz)
+    return np.max(measured(below, key))
 
 
 def greatest_below_ellipse(found, key):
