@@ -185,14 +185,8 @@ def greatest_below_line_loads(point, poisson, key):
     x, z = np.meshgrid(np.linspace(low, high, 41), half * np.linspace(0.1, 1.5, 141))
     across = x[..., None] - places
     share = -2.0 / np.pi * loads / (across**2 + z[..., None] ** 2) ** 2
-    xx, zz, xz = (
-        np.sum(share * part, axis=-1)
-        for part in (
-            across**2 * z[..., None],
-            np.broadcast_to(z[..., None] ** 3, across.shape),
-            across * z[..., None] ** 2,
-        )
-    )
+    deep = z[..., None] * np.ones_like(across)
+    xx, zz, xz = (np.sum(share * part, axis=-1) for part in (across**2 * deep, deep**3, across * deep**2))
     below = SimpleNamespace(xx_stress=xx, yy_stress=poisson * (xx + zz), zz_stress=zz, xz_stress=xz)
     return np.max(measured(below, key))
 

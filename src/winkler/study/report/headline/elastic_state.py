@@ -516,10 +516,8 @@ def unknown_because(point: SolvedPoint) -> str:
     if held & {"residual_depth", "yield_depth", "yield_velocity"} or hasattr(point.solution, "elastic_peak_pressure"):
         return "a metal that has yielded bears its strength; plastic_indentation states the load at which it yields"
     if _plain_parts(medium) and not isinstance(medium, HalfSpace):
-        other = f"{elastic} states them for elastic bodies of one modulus"
-        return (
-            f"the pressure depends on the history of the load; {'' if line else 'viscoelastic_indentation or '}{other}"
-        )
+        other = f"{'' if line else 'viscoelastic_indentation or, with one modulus, '}{elastic} states them"
+        return f"the pressure depends on the history of the load; {other}"
     if any("pull_off" in name for name in held) or hasattr(point.problem, "adhesion"):
         return f"the edge is under tension that is infinite or has a range; {elastic} states them without adhesion"
     if not isinstance(medium, HalfSpace):
