@@ -41,12 +41,9 @@ MAPS = {
 }  # fmt: skip
 FOLLOW = {
     *MAPS, "viscoelastic_indentation", "plastic_indentation", "line_plastic_indentation", "creep_test",
-    "relaxation_test",
+    "relaxation_test", "adhesive_indentation", "pull_off", "equilibrium", "adhesive_cycle", "adhesive_shear",
 }  # fmt: skip
-OWN_PRESSURE = {
-    "line_viscoelastic_indentation", "line_rolling_resistance", "line_sliding_wear", "line_fretting_wear",
-    "line_limiting_profile",
-} & set(answers())  # fmt: skip
+OWN_PRESSURE = {"line_viscoelastic_indentation", "line_rolling_resistance"}
 SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−µΩ", "0123456789--uΩ")
 FORCES, MODULI = r"[kMGmµ]?N(?:/m|/mm)?", r"[kMG]?Pa"
 MOVED, KEPT = 1e-9, 1e-2
@@ -161,7 +158,7 @@ def other_stress(kind, key):
         return greatest_below_ellipse(found, key), 1e-3
     if kind in OWN_PRESSURE:
         return greatest_below_line_loads(point, bed.medium.first.poisson, key), 2e-3
-    if isinstance(bed, wk.LineFoundation):
+    if isinstance(bed, wk.LineFoundation) and not hasattr(found, "closure_pressure"):
         force = getattr(found, "force_per_length", None)
         load = wk.HalfWidth(np.max(found.half_width)) if force is None else wk.LineForce(float(np.max(force)))
         return getattr(ContactStress(wk.LineIndentation(bed, load)).solve(), key), 1e-6
@@ -179,8 +176,7 @@ def greatest_below_line_loads(point, poisson, key):
     half = float(np.max(found.half_width))
     low, high = float(getattr(found, "trailing_edge", -half)), float(getattr(found, "leading_edge", half))
     places = 0.5 * (low + high) - 0.5 * (high - low) * np.cos(np.pi * (np.arange(2000) + 0.5) / 2000)
-    pressure = found.pressure
-    loads = pressure(places) if callable(pressure) else np.interp(np.abs(places), found.places, pressure)
+    loads = found.pressure(places)
     loads = loads * 0.5 * (high - low) * np.sin(np.pi * (np.arange(2000) + 0.5) / 2000) * np.pi / 2000
     x, z = np.meshgrid(np.linspace(low, high, 41), half * np.linspace(0.1, 1.5, 141))
     across = x[..., None] - places
@@ -229,6 +225,10 @@ def test_the_summary_has_the_numbers_that_are_asked_for(kind):
 def test_each_row_is_a_number_of_the_solution_with_its_unit(kind):
     for key, row in summary_of(kind).items():
         if key in STRESSES and key not in outcome_of(kind).answers:
+            continue
+        if key == "stresses":
+            assert row.remark
+            assert STRESSES.isdisjoint(summary_of(kind)), "both stresses and why there are none"
             continue
         ends = [one[[-1, int(np.nanargmax(np.abs(one)))]] for one in candidates(kind, key) if np.isfinite(one).any()]
         assert any(row.number == pytest.approx(one, rel=1e-9) for end in ends for one in end), (key, row, ends)

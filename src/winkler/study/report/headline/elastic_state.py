@@ -2,8 +2,8 @@
 
 One search serves all contacts whose stresses are known: springs of round contacts, also where an edge adheres, Hertz's
 ellipse, strips, rollers by their most pressed slice, height maps and patches of profiles with their tractions, bodies
-that relax, and metals that have yielded, whose greatest von Mises stress is the strength.  Strips that are worn or
-relax follow from their own pressures.  Not built: worn round bodies, whose pressure is known at their rings alone,
+that relax, and metals that have yielded, whose greatest von Mises stress is the strength.  Strips of bodies
+that relax follow from their own pressures.  Not built: worn bodies, whose pressure is known at single places alone,
 attraction of a range, whose springs do not end at the rim, and strips that pull at their edges; `unknown_because` says
 why.  Only the modules of the contact at hand are loaded.
 """
@@ -300,37 +300,31 @@ def _strips(solution: Any, problem: Any) -> ElasticState | None:
 
 
 def _pressed_strip(point: SolvedPoint) -> ElasticState | None:
-    """Return the stresses below a strip by its own pressure, of bodies that are worn or relax: it is finite.
-
-    Stresses below given pressures depend on Poisson's ratio alone, which neither wear nor time changes.
-    """
+    """Return the stresses below a strip of bodies that relax, by its own pressure, under the greatest force."""
     forces = np.array([np.max(getattr(one, "force_per_length", 0.0)) for one in point.each])
     found = point.each[int(np.flatnonzero(forces >= (1.0 - SAME_WIDTH) * np.max(forces))[-1])]
-    half, parts = float(np.max(getattr(found, "half_width", math.nan))), _plain_parts(medium_of(found))
-    if not (half > 0.0 and parts and hasattr(found, "pressure")):
+    half, parts = float(np.max(getattr(found, "half_width", 0.0))), _plain_parts(medium_of(found))
+    if not (half > 0.0 and parts and callable(getattr(found, "pressure", None))) or _is_worn(point):
         return None
     from winkler.numerics.surfaces.strip_elements import linear_potential
     from winkler.problems.line.stress import fields_of
 
     low, high = float(getattr(found, "trailing_edge", -half)), float(getattr(found, "leading_edge", half))
-    if callable(found.pressure):
-        inside = 0.5 * (low + high) - 0.5 * (high - low) * np.cos(np.linspace(0.0, np.pi, NODES)[1:-1])
-        pressure = np.asarray(found.pressure(inside))
-    else:
-        borne = found.places < half
-        inside, pressure = found.places[borne], found.pressure[borne]
-        beyond = slice(int(inside[0] == 0.0), None)  # the other side is the same
-        inside, pressure = np.append(-inside[beyond][::-1], inside), np.append(pressure[beyond][::-1], pressure)
-    if not np.all(np.isfinite(pressure)) or np.any(pressure < 0.0):
+    nodes = 0.5 * (low + high) - 0.5 * (high - low) * np.cos(np.linspace(0.0, np.pi, NODES))
+    pressure = np.concatenate([[0.0], found.pressure(nodes[1:-1]), [0.0]])
+    if not np.all(np.isfinite(pressure) & (pressure >= 0.0)):  # an edge pulls, or is sharp
         return None
-    nodes, loads = np.concatenate([[low], inside, [high]]), np.concatenate([[0.0], pressure, [0.0]])
 
     def stress(part: StrongPart, x: Array, z: Array) -> Any:
-        return fields_of(x, z, np.array(linear_potential(nodes, loads, x, z)), part.solid.poisson)
+        return fields_of(x, z, np.array(linear_potential(nodes, pressure, x, z)), part.solid.poisson)
 
     when = getattr(found, "time", None)
     under = FRICTIONLESS if when is None else f"{FRICTIONLESS}, after {with_unit(float(np.max(when)), 's')}"
     return _state(parts, _below_places(low, high, stress), float(np.max(pressure)), "N/m", under)[1]
+
+
+def _is_worn(point: SolvedPoint) -> bool:
+    return any(name.startswith("worn_") for name in point.answers)
 
 
 def _below_places(low: float, high: float, stresses: Callable[[StrongPart, Array, Array], Any]) -> Search:
@@ -405,7 +399,7 @@ def _map(point: SolvedPoint) -> ElasticState | None:
     def on_grid(part: StrongPart) -> dict[tensor.Measure, Deep]:
         acting = load if part.first else load.reversed()
         field = acting.field(part.solid.poisson)
-        spots = greatest_below(field, MEASURES, rounds=2).greatest
+        spots = greatest_below(field, MEASURES, rounds=2, climbed=True).greatest
         found: dict[tensor.Measure, Deep] = {}
         found |= {measure: Deep(spot.value, spot.z) for measure, spot in zip(MEASURES, spots, strict=True)}
         if part.solid.strength < math.inf:  # between the pixels, as the statement on yield
@@ -465,8 +459,9 @@ def _relaxing(point: SolvedPoint) -> ElasticState | None:
     from winkler.problems.normal.greatest_stress import greatest_stress
 
     index = int(np.argmax(solution.force))
-    parts, state = _plain_parts(medium), _state_of(problem, solution, index)
-    if not (parts and hasattr(state, "pressed") and hasattr(state, "pressure")):
+    parts = _plain_parts(medium)
+    state = _state_of(problem, solution, index) if parts else None
+    if not (hasattr(state, "pressed") and hasattr(state, "pressure")):
         return None
     pressed = state.pressed
 
@@ -511,7 +506,7 @@ def unknown_because(point: SolvedPoint) -> str:
         return ""
     line = any(name.endswith("_per_length") for name in held)
     elastic = "line_indentation" if line else "indentation"
-    if any(name.startswith("worn_") for name in held):
+    if _is_worn(point):
         return f"the pressure of a worn shape is known at single places only; {elastic} states them before wear"
     if held & {"residual_depth", "yield_depth", "yield_velocity"} or hasattr(point.solution, "elastic_peak_pressure"):
         return "a metal that has yielded bears its strength; plastic_indentation states the load at which it yields"
