@@ -377,7 +377,7 @@ def _map(point: SolvedPoint) -> ElasticState | None:
     if found is None or not (isinstance(found[0], HalfSpace) or offers(found[0], LayerStack)):
         return None
     from winkler.media.interior.map_peak import greatest_below
-    from winkler.problems.normal.map_yield import greatest_in_parts, greatest_stress
+    from winkler.problems.normal.map_yield import greatest_in_parts
 
     medium, load, under = found
     if load.pressure.size > MOST_PIXELS and not strong_parts(medium):
@@ -397,18 +397,9 @@ def _map(point: SolvedPoint) -> ElasticState | None:
 
     @functools.cache
     def on_grid(part: StrongPart) -> dict[tensor.Measure, Deep]:
-        acting = load if part.first else load.reversed()
-        field = acting.field(part.solid.poisson)
+        field = (load if part.first else load.reversed()).field(part.solid.poisson)
         spots = greatest_below(field, MEASURES, rounds=2, climbed=True).greatest
-        found: dict[tensor.Measure, Deep] = {}
-        found |= {measure: Deep(spot.value, spot.z) for measure, spot in zip(MEASURES, spots, strict=True)}
-        if part.solid.strength < math.inf:  # between the pixels, as the statement on yield
-            spot = greatest_stress(acting, part.solid)
-            here = tensor.Tensor(
-                *field.at_places(np.array([[spot.x, spot.y, spot.z]]) - np.append(load.corner, 0.0))[:6]
-            )
-            found = {measure: max(found[measure], Deep(float(measure(here)[0]), spot.z)) for measure in MEASURES}
-        return found
+        return {measure: Deep(spot.value, spot.z) for measure, spot in zip(MEASURES, spots, strict=True)}
 
     def find(part: StrongPart, measure: tensor.Measure) -> Deep:
         return on_grid(part)[measure]
