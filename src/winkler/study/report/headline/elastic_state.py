@@ -343,7 +343,7 @@ def _below_places(low: float, high: float, stresses: Callable[[StrongPart, Array
 
 def _plain_parts(medium: Any) -> tuple[StrongPart, ...]:
     """Return the homogeneous bodies of a pair, also those that relax: all that stresses below a pressure ask for."""
-    if not hasattr(medium, "second"):
+    if not (hasattr(medium, "first") and hasattr(medium, "second")):
         return ()
     if isinstance(medium, HalfSpace):
         return solid_parts(medium)
