@@ -451,7 +451,7 @@ def _relaxing(point: SolvedPoint) -> ElasticState | None:
 
     index = int(np.argmax(solution.force))
     parts = _plain_parts(medium)
-    state = _state_of(problem, solution, index) if parts else None
+    state: Any = _state_of(problem, solution, index) if parts else None
     if not (hasattr(state, "pressed") and hasattr(state, "pressure")):
         return None
     pressed = state.pressed
