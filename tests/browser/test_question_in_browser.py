@@ -129,6 +129,20 @@ def test_the_page_begins_with_examples(fresh):
         assert not page.locator(".refused").is_visible(), title
 
 
+def test_an_answer_without_stresses_says_why(fresh):
+    app_page = fresh()
+    page = app_page.page
+    app_page.choose("problem", "fretting_wear")
+    page.locator(".head .beside", has_text="indentation states them before wear").wait_for(timeout=60_000)
+    app_page.settled()
+    app_page.choose("problem", "joule_heating")
+    page.locator(".head .sought-line", has_text="above that of the bodies").wait_for(timeout=60_000)
+    app_page.settled()
+    page.set_viewport_size({"width": 390, "height": 844})
+    assert app_page.overflow() == []
+    app_page.shot("no_stresses")
+
+
 def test_a_kind_is_found_by_its_name_or_by_words(fresh):
     """By the keyboard alone; the list is whole again when it is opened next."""
     app_page = fresh()

@@ -19,7 +19,7 @@ from winkler.study.language.explain import example_study
 from winkler.study.language.reading import parse_study
 from winkler.study.language.template import whole_text
 from winkler.study.report.headline.advice import ADVICE, worst_doubt
-from winkler.study.report.headline.elastic_state import elastic_state
+from winkler.study.report.headline.elastic_state import _pressed_strip, elastic_state, unknown_because
 from winkler.study.report.headline.section import doubt_line, doubt_of, headline, headline_section
 from winkler.study.report.headline.shown_contact import shown_point, stressed_contact
 from winkler.study.report.headline.summary import contact_summary
@@ -90,9 +90,55 @@ def test_a_cylinder_has_the_stresses_of_hertz():
     assert state.unit == "N/m"
 
 
-@pytest.mark.parametrize("kind", ["line_fretting_wear", "line_adhesion", "sliding_wear", "rough_contact"])
-def test_what_is_not_an_elastic_contact_has_none_beside(kind):
-    assert elastic_state(shown_point(solved(kind))) is None
+@pytest.mark.parametrize(("kind", "reason"), [
+    ("line_adhesion", "the edge is under tension"),
+    ("line_fretting_wear", "known at single places only; line_indentation states"),
+    ("sliding_wear", "known at single places only; indentation states"),
+    ("rough_contact", "no pressure at each place"),
+    ("harmonic_indentation", "depends on the history of the load; viscoelastic_indentation"),
+    ("dent_limit", "a metal that has yielded"),
+])  # fmt: skip
+def test_what_is_not_an_elastic_contact_says_why_it_has_no_stresses(kind, reason):
+    outcome = solved(kind)
+    assert elastic_state(shown_point(outcome)) is None
+    assert reason in headline_section(outcome)
+    (row,) = (one for one in contact_summary(outcome) if one.key == "stresses")
+    assert reason in row.remark
+    assert row.table()["value"] is None
+
+
+def test_an_answer_without_a_load_gives_no_reason():
+    assert unknown_because(shown_point(solved("spot_cluster"))) == ""
+
+
+def test_the_stresses_of_a_creep_test_follow_from_its_history():
+    """Lee and Radok's pressure of a Maxwell solid by quadrature, and below it Boussinesq's rings on the axis."""
+    tau, force, moment, maxwell = 1.0, 1.0, 0.5, {"kind": "maxwell", "shear": "1 MPa", "relaxation_time": "1 s"}
+    ball = {"kind": "paraboloid", "curvature_radius": "10 mm"}
+    bed = {"kind": "foundation", "profile": ball, "medium": {"kind": "viscoelastic_half_space", "first": maxwell}}
+    outcome = solved("creep_test", problem__bed=bed, problem__force="1 N", problem__time=["0.5 s"])
+    times = moment * (1.0 - np.linspace(1.0, 0.0, 4001) ** 2)
+    widths = np.cbrt(0.75 * force * RADIUS * (1.0 + times / tau) / 4e6)
+    r = widths[-1] * np.sin(np.linspace(0.0, 0.5 * np.pi, 801))
+    elastic = 8e6 / np.pi / RADIUS * np.sqrt(np.maximum(widths**2 - r[:, None] ** 2, 0.0))
+    faded = np.exp((times - moment) / tau) / tau
+    pressure = elastic[:, -1] - np.trapezoid(faded * elastic, times, axis=1)
+    z = widths[-1] * np.linspace(0.2, 0.9, 701)[:, None]
+    apart = np.hypot(r, z)
+    down = -3.0 * np.trapezoid(pressure * z**3 * r / apart**5, r, axis=1)
+    trace = -3.0 * np.trapezoid(pressure * z * r / apart**3, r, axis=1)  # 2 (1 + nu)
+    state = elastic_state(shown_point(outcome))
+    assert state.peak_pressure == pytest.approx(pressure[0], rel=1e-5)
+    assert state.von_mises == pytest.approx(np.max(np.abs(1.5 * down - 0.5 * trace)), rel=1e-3)
+
+
+def test_a_strip_by_its_own_pressure_is_that_of_hertz():
+    bed = wk.LineFoundation(wk.Paraboloid(RADIUS), wk.HalfSpace(wk.Elastic(210e9, 0.3)))
+    contact = wk.LineIndentation(bed, wk.LineForce(1e5)).solve()
+    state = _pressed_strip(SimpleNamespace(each=[contact], answers={}))
+    closed = wk.ContactStress(contact.problem).solve()
+    assert state.von_mises == pytest.approx(closed.von_mises, rel=2e-5)
+    assert state.shears[0].value == pytest.approx(closed.max_shear, rel=2e-5)
 
 
 def test_without_a_strength_the_page_says_so():

@@ -30,7 +30,7 @@ def pair_rolling_sheet(item: ProfilePairRollingSolution) -> Sheet:
         force = f"{with_unit(each.patch.force, 'N', 3)} at {math.degrees(each.patch.angle):.3g}°"
         panels += [zones.plus(title=f"stick (green) and slip; {force}"), traction.plus(title="traction")]
     lost = with_unit(item.loss_per_distance, "J/m")
-    title = f"drags by {with_unit(-item.x_force, 'N')} along;  friction takes {lost}"
+    title = f"force along the track {with_unit(item.x_force, 'N')};  dissipated {lost}"
     return Sheet(tuple(panels), 3, width=4.4, height=3.2, title=title)
 
 

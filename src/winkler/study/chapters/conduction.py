@@ -252,7 +252,8 @@ CONDUCTION = Chapter(
             en="plug contact heats up current heats hot current welding softening voltage contact temperature kohlrausch fuse overheating connector melting voltage ampacity resistance welding electric heating spot weld hot spot ampere amperage spring probe overheats ampacity of a pin current carrying capacity softening voltage melting voltage inrush current welds contact glows overload battery tab heats crimp overheats how many amps can it handle runs hot interface temperature of connector power connector",
             de="stromwärme joule schweissen kontakttemperatur erweichungsspannung überhitzung strom heiss stecker schmelzspannung punktschweissen stromtragfähigkeit kontakterwärmung überlast stecker heizt sich auf verschweisst schmelzspannung",
             fr="effet joule température de contact soudage courant surchauffe tension de ramollissement fusion ampère chaud échauffement d'une connexion électrique surcharge soudure des contacts courant d'appel",
-            headline=("max_temperature", "contact_temperature", "voltage", "current", "resistance"),
+            headline=("max_temperature", "rise", "voltage", "current", "resistance"),
+            says={"max_temperature": "the greatest temperature is {max_temperature}, {rise} above that of the bodies"},
             contact=PRESSED,
             picture=Caption(
                 "joule",

@@ -43,8 +43,6 @@ MOST_CURVES = 24
 MOST_BARS = 40
 CHECKS = ("misfit", "imbalance", "balance", "penetration", "mismatch", "freedom")
 """Answers that check others, beside those that end in ``_error``."""
-LEAST_VARIATION = 5e-5
-"""Variation of an answer that is worth a figure, over its greatest number."""
 
 
 def figures_of(outcome: Outcome) -> tuple[ReportFigure, ...]:
@@ -211,8 +209,7 @@ def _varying_answers(outcome: Outcome, columns: dict[str, Array]) -> list[str]:
         finite = np.isfinite(columns[name])
         content = columns[name][finite]
         same = any(one.dtype.kind == "f" and np.array_equal(one[finite], content) for one in given)
-        varies = content.size > 0 and np.ptp(content) > LEAST_VARIATION * np.max(np.abs(content))
-        if varies and not same and not _checks(outcome, name) and (content.size < 2 or variation_shows(name, columns)):
+        if not same and not _checks(outcome, name) and variation_shows(name, columns):
             names.append(name)
     return names or list(outcome.answers)
 

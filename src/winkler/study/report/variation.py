@@ -8,8 +8,8 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-ROUNDING = 1e-9
-"""Variation over the greatest number that is rounding."""
+ROUNDING = 5e-5
+"""Variation over the greatest number that its four digits do not show: rounding, or what a solver leaves."""
 LEFT_BY_SOLVERS = 1e-6
 """Variation over the greatest component along another direction below which it is what a solver leaves of zero."""
 DIRECTIONS = (("x", "y", "z"), ("longitudinal", "lateral"))

@@ -2,10 +2,10 @@
 
 One search serves all contacts whose stresses are known: springs of round contacts, also where an edge adheres, Hertz's
 ellipse, strips, rollers by their most pressed slice, height maps and patches of profiles with their tractions, bodies
-that relax, and metals that have yielded, whose greatest von Mises stress is the strength.  Not built: strips whose
-half-width is not that of the elastic one under their load (worn, viscoelastic, adhesive), worn round bodies, whose
-pressure is known at their rings alone, and attraction of a range, whose springs do not end at the rim.  Only the
-modules of the contact at hand are loaded.
+that relax, and metals that have yielded, whose greatest von Mises stress is the strength.  Strips of bodies
+that relax follow from their own pressures.  Not built: worn bodies, whose pressure is known at single places alone,
+attraction of a range, whose springs do not end at the rim, and strips that pull at their edges; `unknown_because` says
+why.  Only the modules of the contact at hand are loaded.
 """
 
 from __future__ import annotations
@@ -31,7 +31,11 @@ from winkler.values.errors import OutsideValidity, WinklerError
 from winkler.values.readable import with_unit
 
 SAME_WIDTH = 1e-6
-"""Relative difference of half-widths up to which a strip is the elastic one."""
+"""Relative difference up to which half-widths, or forces, are the same."""
+LOADED = {"force", "force_per_length", "mean_pressure"}
+"""Numbers of a contact under load, whose stresses are stated, or why they are not."""
+NODES = 401
+"""Places between which the pressure of a strip is linear, closer together at its edges."""
 RADII = 201
 """Distances from the axis among which the greatest pressure of bodies that relax is sought."""
 FRICTIONLESS = "without friction"
@@ -130,10 +134,10 @@ def elastic_state(point: SolvedPoint) -> ElasticState | None:
         problem = getattr(contact, "problem", point.problem)
         if isinstance(getattr(contact, "pressed", None), PressedSprings):
             return _round(contact)
-        for form in (_yielded, _ellipse, _strip, _strips, _roller):
+        for form in (_yielded, _ellipse, _strips, _strip, _roller):
             if (found := form(contact, problem)) is not None:
                 return found
-        return _map(point) or _relaxing(point)
+        return _map(point) or _relaxing(point) or _pressed_strip(point)
     except WinklerError:  # the contact is sound, its stresses are not known
         return None
 
@@ -283,28 +287,68 @@ def _strips(solution: Any, problem: Any) -> ElasticState | None:
     """Return the stresses below the most pressed of the strips of a profile, or below each of the strips of a wave."""
     if not (hasattr(solution, "strip_peaks") or hasattr(solution, "closure_pressure")):
         return None
-    medium, peak = medium_of(solution), float(solution.peak_pressure)
+    peak = float(solution.peak_pressure)
     if math.isinf(peak):
         return None
+    if hasattr(solution, "edges"):
+        low, high = map(float, np.reshape(solution.edges, (-1, 2))[int(np.argmax(solution.strip_peaks))])
+    else:
+        low, high = -solution.half_width, solution.half_width
+    under = "below the most pressed strip, without friction" if hasattr(solution, "edges") else FRICTIONLESS
+    find = _below_places(low, high, lambda part, x, z: solution.stresses(x, z if part.first else -z))
+    return _state(solid_parts(medium_of(solution)), find, peak, "N/m", under)[1]
+
+
+def _pressed_strip(point: SolvedPoint) -> ElasticState | None:
+    """Return the stresses below a strip of bodies that relax, by its own pressure, under the greatest force."""
+    forces = np.array([np.max(getattr(one, "force_per_length", 0.0)) for one in point.each])
+    found = point.each[int(np.flatnonzero(forces >= (1.0 - SAME_WIDTH) * np.max(forces))[-1])]
+    half, parts = float(np.max(getattr(found, "half_width", 0.0))), _plain_parts(medium_of(found))
+    if not (half > 0.0 and parts and callable(getattr(found, "pressure", None))) or _is_worn(point):
+        return None
+    from winkler.numerics.surfaces.strip_elements import linear_potential
+    from winkler.problems.line.stress import fields_of
+
+    low, high = float(getattr(found, "trailing_edge", -half)), float(getattr(found, "leading_edge", half))
+    nodes = 0.5 * (low + high) - 0.5 * (high - low) * np.cos(np.linspace(0.0, np.pi, NODES))
+    pressure = np.concatenate([[0.0], found.pressure(nodes[1:-1]), [0.0]])
+    if not np.all(np.isfinite(pressure) & (pressure >= 0.0)):  # an edge pulls, or is sharp
+        return None
+
+    def stress(part: StrongPart, x: Array, z: Array) -> Any:
+        return fields_of(x, z, np.array(linear_potential(nodes, pressure, x, z)), part.solid.poisson)
+
+    when = getattr(found, "time", None)
+    under = FRICTIONLESS if when is None else f"{FRICTIONLESS}, after {with_unit(float(np.max(when)), 's')}"
+    return _state(parts, _below_places(low, high, stress), float(np.max(pressure)), "N/m", under)[1]
+
+
+def _is_worn(point: SolvedPoint) -> bool:
+    return any(name.startswith("worn_") for name in point.answers)
+
+
+def _below_places(low: float, high: float, stresses: Callable[[StrongPart, Array, Array], Any]) -> Search:
+    """Return the search among places below a strip between two edges."""
     from winkler.numerics.equations.highest import highest
     from winkler.problems.line.greatest_stress import in_strip
 
-    if hasattr(solution, "edges"):
-        low, high = np.reshape(solution.edges, (-1, 2))[int(np.argmax(solution.strip_peaks))]
-    else:
-        low, high = -solution.half_width, solution.half_width
-    half = 0.5 * float(high - low)
-    x, z = float(low) + half * (1.0 + BESIDE), half * BELOW
+    half = 0.5 * (high - low)
 
     def find(part: StrongPart, measure: tensor.Measure) -> Deep:
-        def stress(across: Array, down: Array) -> Array:
-            return in_strip(measure)(solution.stresses(across, down if part.first else -down))
-
-        top = highest(stress, [x, z])
+        top = highest(lambda x, z: in_strip(measure)(stresses(part, x, z)), [low + half * (1.0 + BESIDE), half * BELOW])
         return Deep(top.value, top.place[1])
 
-    under = "below the most pressed strip, without friction" if hasattr(solution, "edges") else FRICTIONLESS
-    return _state(solid_parts(medium), find, peak, "N/m", under)[1]
+    return find
+
+
+def _plain_parts(medium: Any) -> tuple[StrongPart, ...]:
+    """Return the homogeneous bodies of a pair, also those that relax: all that stresses below a pressure ask for."""
+    if not (hasattr(medium, "first") and hasattr(medium, "second")):
+        return ()
+    if isinstance(medium, HalfSpace):
+        return solid_parts(medium)
+    bodies = ((medium.first, "first body", True), (medium.second, "second body", False))
+    return tuple(StrongPart(name, body, first) for body, name, first in bodies if hasattr(body, "poisson"))
 
 
 def _roller(solution: Any, problem: Any) -> ElasticState | None:
@@ -333,7 +377,7 @@ def _map(point: SolvedPoint) -> ElasticState | None:
     if found is None or not (isinstance(found[0], HalfSpace) or offers(found[0], LayerStack)):
         return None
     from winkler.media.interior.map_peak import greatest_below
-    from winkler.problems.normal.map_yield import greatest_in_parts, greatest_stress
+    from winkler.problems.normal.map_yield import greatest_in_parts
 
     medium, load, under = found
     if load.pressure.size > MOST_PIXELS and not strong_parts(medium):
@@ -353,18 +397,9 @@ def _map(point: SolvedPoint) -> ElasticState | None:
 
     @functools.cache
     def on_grid(part: StrongPart) -> dict[tensor.Measure, Deep]:
-        acting = load if part.first else load.reversed()
-        field = acting.field(part.solid.poisson)
-        spots = greatest_below(field, MEASURES, rounds=2).greatest
-        found: dict[tensor.Measure, Deep] = {}
-        found |= {measure: Deep(spot.value, spot.z) for measure, spot in zip(MEASURES, spots, strict=True)}
-        if part.solid.strength < math.inf:  # between the pixels, as the statement on yield
-            spot = greatest_stress(acting, part.solid)
-            here = tensor.Tensor(
-                *field.at_places(np.array([[spot.x, spot.y, spot.z]]) - np.append(load.corner, 0.0))[:6]
-            )
-            found = {measure: max(found[measure], Deep(float(measure(here)[0]), spot.z)) for measure in MEASURES}
-        return found
+        field = (load if part.first else load.reversed()).field(part.solid.poisson)
+        spots = greatest_below(field, MEASURES, rounds=2, climbed=True).greatest
+        return {measure: Deep(spot.value, spot.z) for measure, spot in zip(MEASURES, spots, strict=True)}
 
     def find(part: StrongPart, measure: tensor.Measure) -> Deep:
         return on_grid(part)[measure]
@@ -410,17 +445,15 @@ def _relaxing(point: SolvedPoint) -> ElasticState | None:
     """
     solution, problem = point.solution, point.problem
     medium = medium_of(solution)
-    relaxes = hasattr(medium, "second") and not isinstance(medium, HalfSpace)
-    if not (relaxes and hasattr(problem, "steps") and np.ndim(getattr(solution, "force", 0.0))):
+    if not np.ndim(getattr(solution, "force", 0.0)) or isinstance(medium, HalfSpace):
         return None
     from winkler.problems.normal.greatest_stress import greatest_stress
 
     index = int(np.argmax(solution.force))
-    state = next(itertools.islice(problem.steps(), index, None))
+    parts = _plain_parts(medium)
+    state: Any = _state_of(problem, solution, index) if parts else None
     if not (hasattr(state, "pressed") and hasattr(state, "pressure")):
         return None
-    bodies = ((medium.first, "first body", True), (medium.second, "second body", False))
-    parts = tuple(StrongPart(name, body, first) for body, name, first in bodies if hasattr(body, "poisson"))
     pressed = state.pressed
 
     def find(part: StrongPart, measure: tensor.Measure) -> Deep:
@@ -432,3 +465,47 @@ def _relaxing(point: SolvedPoint) -> ElasticState | None:
     peak = float(np.max(state.pressure(np.linspace(0.0, state.radius, RADII, endpoint=False))))
     under = f"{FRICTIONLESS}, at the greatest force, after {with_unit(float(state.time), 's')}"
     return _state(parts, find, peak, "N", under)[1]
+
+
+def _state_of(problem: Any, solution: Any, index: int) -> Any:
+    """Return the state of a march after a number of steps; of a load in one step, that at one of its times."""
+    if hasattr(problem, "steps"):
+        return next(itertools.islice(problem.steps(), index, None))
+    if not (hasattr(solution, "time") and hasattr(problem, "time")):
+        return None
+    from winkler.loading.loads import Depth, Force
+    from winkler.loading.path import Path
+    from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
+
+    load: Any = Force if hasattr(problem, "force") else Depth
+    held = load(np.full(2, problem.force if load is Force else problem.depth))
+    return list(ViscoelasticIndentation(problem.bed, Path(np.array([0.0, solution.time[index]]), held)).steps())[-1]
+
+
+def unknown_because(point: SolvedPoint) -> str:
+    """Return why the stresses of a contact are not stated, and which kind states them; empty where no load is known.
+
+    It goes by what the answer holds: wear, a dent, time, tension at the edge, and else by its bodies.
+
+    Parameters
+    ----------
+    point
+        A solved point whose stresses are not known.
+    """
+    held, medium = set(point.answers), medium_of(stressed_contact(point))
+    if not held & LOADED:
+        return ""
+    line = any(name.endswith("_per_length") for name in held)
+    elastic = "line_indentation" if line else "indentation"
+    if _is_worn(point):
+        return f"the pressure of a worn shape is known at single places only; {elastic} states them before wear"
+    if held & {"residual_depth", "yield_depth", "yield_velocity"} or hasattr(point.solution, "elastic_peak_pressure"):
+        return "a metal that has yielded bears its strength; plastic_indentation states the load at which it yields"
+    if _plain_parts(medium) and not isinstance(medium, HalfSpace):
+        other = f"{'' if line else 'viscoelastic_indentation or, with one modulus, '}{elastic} states them"
+        return f"the pressure depends on the history of the load; {other}"
+    if any("pull_off" in name for name in held) or hasattr(point.problem, "adhesion"):
+        return f"the edge is under tension that is infinite or has a range; {elastic} states them without adhesion"
+    if not isinstance(medium, HalfSpace):
+        return f"they are not implemented in these bodies; {elastic} states them for homogeneous elastic ones"
+    return f"this answer holds no pressure at each place; {elastic} or surface_contact states them"

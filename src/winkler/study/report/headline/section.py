@@ -17,7 +17,7 @@ from winkler.study.language.catalogue import CATALOGUE
 from winkler.study.report.describe import settings_text
 from winkler.study.report.figure import capital
 from winkler.study.report.headline.advice import ADVICE, Doubt, worst_doubt
-from winkler.study.report.headline.elastic_state import ElasticState, elastic_state
+from winkler.study.report.headline.elastic_state import ElasticState, elastic_state, unknown_because
 from winkler.study.report.headline.numbers import SoughtNumber, as_share, sought_numbers
 from winkler.study.report.headline.shown_contact import (
     medium_of,
@@ -63,7 +63,7 @@ def headline_section(outcome: Outcome) -> str:
     shown = {one.name for one in numbers if not one.is_range}
     if "z" in outcome.answers:  # the answer itself is a place of the greatest stress
         shown |= {"von_mises"}
-    return f'{lead}<div class="cards">{cards}</div>{_beside(_state(outcome), shown)}'
+    return f'{lead}<div class="cards">{cards}</div>{_beside(outcome, shown)}'
 
 
 def headline(outcome: Outcome) -> str:
@@ -230,10 +230,13 @@ def _card(one: SoughtNumber, mark: str, *, first: bool) -> str:
     )
 
 
-def _beside(state: ElasticState | None, shown: set[str]) -> str:
-    """Return greatest pressure, greatest von Mises stress and load of yield as cards."""
+def _beside(outcome: Outcome, shown: set[str]) -> str:
+    """Return greatest pressure, greatest von Mises stress and load of yield as cards, or why they are not known."""
+    state = _state(outcome)
     if state is None:
-        return ""
+        reason = "" if outcome.study.sweep or "von_mises" in shown else unknown_because(shown_point(outcome))
+        card = _small("not computed", "stresses in the bodies", reason)
+        return f'<div class="cards beside">{card}</div>' if reason else ""
     cards = []
     if "peak_pressure" not in shown and not math.isnan(state.peak_pressure):
         pressure = with_unit(state.peak_pressure, "Pa")
@@ -250,7 +253,8 @@ def _beside(state: ElasticState | None, shown: set[str]) -> str:
 def _yield_card(state: ElasticState) -> str:
     name = "load at which it yields"
     if math.isinf(state.strength):
-        return _small("not known", name, f"set a strength of the {state.body} to see it")
+        what = "how much of it is reached" if math.isnan(state.load) else "it"
+        return _small("not known", name, f"set a strength of the {state.body} to see {what}")
     if math.isnan(state.yield_load):
         said = f"the greatest stress is {state.share:.3g} of the strength of the {state.body}"
         return _small("not known", name, said)

@@ -22,7 +22,7 @@ from winkler.study.batch.outcome import Outcome, answers_of
 from winkler.study.batch.points import SolvedPoint, sides_of_map
 from winkler.study.chapters.contents import answer_of
 from winkler.study.report.describe import settings_text
-from winkler.study.report.headline.elastic_state import ElasticState, elastic_state
+from winkler.study.report.headline.elastic_state import ElasticState, elastic_state, unknown_because
 from winkler.study.report.headline.numbers import ALIKE, SoughtNumber, as_share, numbers_named, sought_numbers
 from winkler.study.report.headline.shown_contact import (
     medium_of,
@@ -54,6 +54,7 @@ CALLED: Mapping[str, str] = MappingProxyType(
         "max_shear": "greatest shear stress",
         "orthogonal_shear": "greatest shear along the surface",
         "von_mises": "greatest von Mises stress",
+        "stresses": "stresses in the bodies",
         "yield_force": "load at which it yields",
         "yield_depth": "approach at which it yields",
         "yield_velocity": "velocity at which it yields",
@@ -111,7 +112,8 @@ class SummaryNumber(NamedTuple):
 
     def table(self) -> dict[str, Any]:
         """Return it as data for JSON."""
-        named = {"key": self.key, "name": self.name, "value": self.number, "unit": self.unit}
+        known = None if self.key == "stresses" else self.number
+        named = {"key": self.key, "name": self.name, "value": known, "unit": self.unit}
         return {**named, "text": self.text, "remark": self.remark}
 
 
@@ -154,6 +156,9 @@ def contact_summary(outcome: Outcome) -> tuple[SummaryNumber, ...]:
         where = f"at {settings_text(outcome.study, point.settings)}"
         stresses = (row._replace(remark=f"{row.remark}, {where}" if row.remark else where) for row in _stresses(point))
         rows |= {row.key: row for row in stresses if row.key not in rows and row.key not in varied}
+    drawn = outcome.study.design.draws or "von_mises" in rows
+    if reason := "" if drawn else unknown_because(most_pressed(outcome.solved, each)):
+        rows["stresses"] = SummaryNumber("stresses", CALLED["stresses"], math.nan, "", "not computed", reason)
     order = [one.name for one in sought] + [name for name in CALLED if name not in shown]
     return tuple(rows[name] for name in order if name in rows)
 
