@@ -101,18 +101,6 @@ def test_the_search_for_tricks_finds_them():
 LISTED = ("numerics/", "plot/", "study/")
 """Packages without lists of names: `__all__` stands where a module passes on names of others."""
 
-LISTED_STILL = {
-    "numerics/equations/highest.py",
-    "numerics/equations/roots.py",
-    "numerics/pixels/layered.py",
-    "numerics/pixels/mixed.py",
-    "numerics/springs/rate_fit.py",
-    "plot/fitting/curve_events.py",
-    "plot/registered.py",
-}
-"""Which had a list when the others lost theirs."""
-
-
 def names_listed(text: str) -> tuple[set[str], set[str]]:
     """Return what `__all__` of a module names, and what the module defines."""
     listed: set[str] = set()
@@ -136,7 +124,7 @@ def test_no_list_repeats_the_names_of_a_module(pages):
         if page.name.startswith(LISTED):
             listed, defined = names_listed(page.text)
             bad += [page.name] if listed and listed <= defined else []
-    assert set(bad) <= LISTED_STILL
+    assert bad == []
 
 
 def test_a_list_that_repeats_is_told_from_one_that_passes_on():

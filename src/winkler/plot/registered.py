@@ -11,8 +11,6 @@ from typing import Any, NamedTuple
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.panel import Sheet
 
-__all__ = ["everything", "sheet_of_kind"]
-
 
 class _Everything(NamedTuple):
     """What draws, with every picture loaded."""

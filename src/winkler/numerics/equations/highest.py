@@ -22,8 +22,6 @@ import numpy as np
 
 from winkler.numerics.types import Array, Curve
 
-__all__ = ["Top", "highest", "highest_near", "highest_of_curve"]
-
 PLACES, FEW_PLACES = 5, 3
 """Places of a box along one coordinate: their polynomial is of the fourth degree; of costly functions of the second."""
 MOST_STARTS = 6

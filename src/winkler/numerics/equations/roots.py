@@ -10,8 +10,6 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged, WinklerError
 
-__all__ = ["between", "by_blocks", "invert", "rough_root"]
-
 MOST_ITERATIONS = 200
 USUAL_ITERATIONS = 10
 """Steps after which every other one halves the bracket; ten are usual."""

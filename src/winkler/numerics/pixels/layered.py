@@ -21,8 +21,6 @@ from winkler.numerics.transforms.radial_kernel import RadialKernel, radial_kerne
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["GridResponse", "LayeredSurface", "SurfaceBelow"]
-
 TESTED_WAVE = 16.0
 """Wave, in pixels, that the pixels must follow."""
 MOST_LOST = 0.1

@@ -20,8 +20,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["RateFit", "fit_rates"]
-
 SPACING, MARGIN = 0.5, 2
 """Of the logarithms of the times, and times beyond the shortest and the longest one: errors below 1e-4."""
 CUTOFF = 1e-10

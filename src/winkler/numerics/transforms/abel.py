@@ -29,8 +29,6 @@ from winkler.numerics.integrals.adaptive_quadrature import settled
 from winkler.numerics.transforms.abel_intervals import Kinks, clear_of_underflow, noise, pieces, root_difference
 from winkler.numerics.types import Array, Curve
 
-__all__ = ["gap", "gap_integral", "gap_slope", "integral", "line_load", "pressure", "root_difference", "surface"]
-
 
 def _angular(function: Curve, edges: Sequence[float], x: Array, what: str, against: Array | float = 0.0) -> Array:
     """Integrate function(r) / sqrt(x^2 - r^2) over r from 0 to x, for every x > 0."""

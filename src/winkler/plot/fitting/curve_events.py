@@ -16,8 +16,6 @@ from winkler.plot.panel import Band, Line, Panel, PanelAxis, Rule, Sheet, Text, 
 from winkler.plot.series import Series
 from winkler.values.vocabulary import Word
 
-__all__ = ["curve_sheet", "phases_over_time"]
-
 COLOURS = {
     EventKind.LOADING: style.BLUE,
     EventKind.HOLD: style.ORANGE,
