@@ -101,6 +101,7 @@ def test_the_search_for_tricks_finds_them():
 LISTED = ("numerics/", "plot/", "study/")
 """Packages without lists of names: `__all__` stands where a module passes on names of others."""
 
+
 def names_listed(text: str) -> tuple[set[str], set[str]]:
     """Return what `__all__` of a module names, and what the module defines."""
     listed: set[str] = set()

@@ -17,7 +17,7 @@ from winkler.numerics.types import Array
 from winkler.problems.answer import Dragged, Restorable, SelfRestoring, is_dragged, is_self_restoring
 from winkler.problems.friction.torsion_fields import body_of_twisted
 from winkler.problems.friction.torsion_states import TorsionState
-from winkler.problems.normal.greatest_stress import INTERFACE_OFFSET
+from winkler.problems.normal.greatest_stress import INTERFACE_OFFSET, least_depth
 from winkler.values.checks.outline import refuse_unless_round
 from winkler.values.value import value
 
@@ -108,7 +108,8 @@ def peak_stress(
         return below_surface(pressed, r, sign * z, below).von_mises
 
     spans = _spans(pressed.bed.medium, sign)
-    place = max(greatest(field, pressed.radius, top=top, bottom=bottom) for top, bottom in spans)
+    least = least_depth(pressed)
+    place = max(greatest(field, pressed.radius, top=max(top, least), bottom=bottom) for top, bottom in spans)
     return PeakStress(place.value, place.r, sign * place.z)
 
 

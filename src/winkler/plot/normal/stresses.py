@@ -20,6 +20,7 @@ from winkler.plot.medium import interfaces
 from winkler.plot.panel import Line, Map, Panel, PanelAxis, Rule, among, note
 from winkler.plot.series import Series, common_scale, round_numbers, scale_of, series, with_unit
 from winkler.problems.answer import Restorable
+from winkler.problems.normal.greatest_stress import least_depth
 from winkler.values.errors import InvalidInput
 
 POINTS_ACROSS, POINTS_DOWN = 57, 49
@@ -68,7 +69,7 @@ def stress_panel(solution: Restorable, extent: float, radius: float, *, scale: f
     )
     # denser towards the surface; the last bit above zero is enough to stay off the poles of sharp edges
     down = COARSE_POINTS_DOWN if scale else POINTS_DOWN
-    z = DEPTH_IN_RADII * (scale or radius) * (np.linspace(0.0, 1.0, down) ** 1.6 + 1e-3)
+    z = DEPTH_IN_RADII * (scale or radius) * (np.linspace(0.0, 1.0, down) ** 1.6 + 1e-3) + least_depth(solution.pressed)
     faces = faces_above(solution.pressed.bed.medium, z[-1]) if below else ()
     fields = restore(solution, r[:, None], sign * depths_through(z, faces)[None, :])
     marks: list[Any] = list(interface_rules(fields, solution.pressed.bed.medium))
