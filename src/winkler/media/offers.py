@@ -34,6 +34,7 @@ if TYPE_CHECKING:  # numerics of layers are loaded with layers
 
 
 __all__ = [
+    "INSIDE_FROM",
     "GradedInDepth",
     "LayerStack",
     "PlaneMedium",
@@ -80,6 +81,10 @@ class PowerOfDepth(TwistModuli, Protocol):
     @property
     def shear_modulus(self) -> float:
         """G* [Pa]."""
+
+
+INSIDE_FROM = 0.02
+"""Depth, in contact radii, from which on stresses in a `PowerOfDepth` are computed: above it too many waves count."""
 
 
 class ByWaves(Protocol):

@@ -23,6 +23,7 @@ from winkler.media.layered.coated_interior import WaveState, superposed
 from winkler.media.layered.hankel_waves import LARGEST_PHASE, HankelWaves, RadialWaves
 from winkler.media.layered.wave_constants import constants_of
 from winkler.media.medium import Displacement
+from winkler.media.offers import INSIDE_FROM
 from winkler.media.punch_field import BodyField
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.panels.sqrt_panels import doubled, nodes
@@ -30,10 +31,8 @@ from winkler.numerics.transforms.cosine_transform import NODES, wave_numbers
 from winkler.numerics.types import Array
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["LEAST_DEPTH", "field"]
+__all__ = ["field"]
 
-LEAST_DEPTH = 0.02
-"""Least depth, in contact radii: above it too many waves count."""
 DECAYED = 34.0
 """x at which the amplitudes are nothing."""
 DEEPEST = 60.0
@@ -77,10 +76,10 @@ def field(displacement: Displacement, body: PowerLawGraded, surface_modulus: flo
             f"{k:g}; request the surface (without z), or sample the grading by a layered medium."
         )
     if a > 0.0 and r.size:
-        if np.min(z) < LEAST_DEPTH * a or np.max(r) > MOST_RADII * a:
+        if np.min(z) < INSIDE_FROM * a or np.max(r) > MOST_RADII * a:
             raise OutsideValidity(
-                f"GradedHalfSpace: stresses inside are implemented from {LEAST_DEPTH} contact radii below the surface "
-                f"and up to {MOST_RADII:g} from the axis, here z >= {LEAST_DEPTH * a:.6g} m and "
+                f"GradedHalfSpace: stresses inside are implemented from {INSIDE_FROM} contact radii below the surface "
+                f"and up to {MOST_RADII:g} from the axis, here z >= {INSIDE_FROM * a:.6g} m and "
                 f"r <= {MOST_RADII * a:.6g} m; request such places, or the surface (without z)."
             )
         reach = 2.0 ** math.ceil(math.log2(max(np.max(r) / a, 1.25)))
@@ -132,7 +131,7 @@ def _waves(displacement: Displacement, k: float, surface_modulus: float, reach: 
     from scipy.special import gamma, jv
 
     a, m = displacement.radius, 0.5 * (1.0 + k)
-    end = DECAYED / (LEAST_DEPTH * a)
+    end = DECAYED / (INSIDE_FROM * a)
     xi, weights = wave_numbers(FIRST_WAVE / a, LARGEST_PHASE / (a * (1.0 + reach)), end)
     kinks = np.array([b for b, _ in displacement.kinks if 0.0 < b < a])
     steps = np.arange(1.0, np.ceil(a * end / LARGEST_PHASE)) * (LARGEST_PHASE / end)

@@ -27,12 +27,11 @@ from winkler.foundation.footprint import EllipticOutline
 from winkler.foundation.foundation import Foundation
 from winkler.materials.elastic import Elastic
 from winkler.media.body_of import exponent_of
-from winkler.media.graded.power_law_interior import LEAST_DEPTH
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior import shear_field
 from winkler.media.interior.peak import greatest
 from winkler.media.interior.tensor import Measure, Tensor, von_mises
-from winkler.media.offers import PowerOfDepth, PressedWaves, offers
+from winkler.media.offers import INSIDE_FROM, PowerOfDepth, PressedWaves, offers
 from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
 from winkler.problems.normal.elliptic_stress import greatest_under_ellipse
@@ -127,7 +126,7 @@ def greatest_stress(
 
 def least_depth(pressed: PressedSprings) -> float:
     """Return above which depth the stresses below a contact are not known [m]."""
-    return LEAST_DEPTH * pressed.radius if offers(pressed.bed.medium, PowerOfDepth) else 0.0
+    return INSIDE_FROM * pressed.radius if offers(pressed.bed.medium, PowerOfDepth) else 0.0
 
 
 def _under_ellipse(

@@ -289,7 +289,7 @@ def _below_disc(contact: IndentationSolution) -> _Search:
         place = greatest_stress(pressed, part, fine=True, measure=measure)
         if place.sharp:
             raise OutsideValidity(f"ContactStress: {place.sharp}; round it off, or restore the fields beside it.")
-        if place.z <= 1.001 * least_depth(pressed):
+        if place.z < 1.001 * least_depth(pressed):
             raise OutsideValidity(
                 f"ContactStress: the greatest {measure.__name__} in the {part.name} lies less than {place.z:.3g} m "
                 "below the surface, where stresses in a power law are not implemented; request the stresses at given "
