@@ -162,7 +162,12 @@ class Kernel(Generic[P, R]):
 
 
 def _watch(machine: Any, counted: bool) -> None:
-    """Let a kernel that counts who refers to an array call no other that does not count and returns one."""
+    """Let a kernel that counts who refers to an array call no other that does not count and returns one.
+
+    Nor is one compiled again for a constant that it is called with: constants reach what stands in full anyway.
+    """
+    from numba.core.types import unliteral
+
     compile_plainly, called_plainly = machine.compile, machine.get_call_template
 
     def compile_watched(signature: Any) -> Any:
@@ -173,7 +178,7 @@ def _watch(machine: Any, counted: bool) -> None:
             COMPILED_NOW.pop()
 
     def called(args: Any, kws: Any) -> Any:
-        template = called_plainly(args, kws)
+        template = called_plainly(tuple(map(unliteral, args)), {name: unliteral(kind) for name, kind in kws.items()})
         if not counted and COMPILED_NOW and COMPILED_NOW[-1]:
             for found in machine.overloads.values():
                 kind = found.signature.return_type

@@ -44,8 +44,8 @@ NEGLIGIBLE_MEMORY = 1e-200
 
 
 @compiled
-def _survey(law, state, dt, bent, factors, spans, scratch):  # type: ignore[no-untyped-def]
-    """Write what a step of this length does to all springs at any rate.
+def _survey(law, state, dt, bent, workspace):  # type: ignore[no-untyped-def]
+    """Write what a step of this length does to all springs at any rate; nothing, if it is sudden.
 
     Returned is how load and impulse of those pressed grow with the rate, and what an acceleration `bent` of the body
     does: how far it goes, and its part of load, impulse and work.  `spans` gets, of those pressed, the load now and at
@@ -54,8 +54,11 @@ def _survey(law, state, dt, bent, factors, spans, scratch):  # type: ignore[no-u
     """
     relaxed, _, moduli, times, rates = law[0], law[1], law[2], law[3], law[4]
     u, memory, _, counts = state
+    factors, spans, scratch, _ = workspace
     phi, bend = scratch[4], scratch[5]
     inside, outer = counts[0], counts[1]
+    if dt == 0.0:
+        return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     gains, pulls, bow = 0.0, 0.0, bent * dt * dt
     load, push, spent = 0.0, -relaxed * bow / 12.0, 0.0
     for j in range(inside):
@@ -93,7 +96,7 @@ def _survey(law, state, dt, bent, factors, spans, scratch):  # type: ignore[no-u
 
 
 @compiled
-def _step(law, springs, state, depth, change, dt, grown, factors, spans, scratch, keep, sums):  # type: ignore[no-untyped-def]
+def _step(law, springs, state, depth, change, dt, grown, workspace, keep, sums):  # type: ignore[no-untyped-def]
     """Carry the springs through a surveyed step, or only compute its effect; return how many are pressed after it.
 
     `sums` gets force at the end, impulse, work, and by what force and impulse grow with the depth at the end.
@@ -101,6 +104,7 @@ def _step(law, springs, state, depth, change, dt, grown, factors, spans, scratch
     relaxed, viscosity, moduli = law[0], law[1], law[2]
     gaps, weights, _ = springs
     u, memory, pressed, counts = state
+    factors, spans, scratch, _ = workspace
     columns, odd, spare, steady, phi, _ = scratch
     inside, outer, modes, odds, sudden = counts[0], counts[1], memory.shape[0], 0, dt == 0.0
     rate = 0.0 if sudden else change / dt
@@ -249,23 +253,11 @@ def _radius(law, springs, state, motion, inside):  # type: ignore[no-untyped-def
 
 
 @compiled
-def _surveyed(law, state, dt, bent, workspace):  # type: ignore[no-untyped-def]
-    """Survey a step, unless it is sudden."""
-    if dt > 0.0:
-        return _survey(law, state, dt, bent, workspace[0], workspace[1], workspace[2])
-    return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-
-
-@compiled
-def _carry(law, springs, state, motion, change, dt, grown, workspace, sums):  # type: ignore[no-untyped-def]
-    """Carry the springs through a surveyed step, in place; return how many are pressed after it."""
-    held = _step(
-        law, springs, state, motion[0], change, dt, grown, workspace[0], workspace[1], workspace[2], True, sums
-    )
+def _moved(motion, change, dt):  # type: ignore[no-untyped-def]
+    """Write the motion after a step."""
     motion[0] += change
     motion[1] = motion[1] if change == 0.0 else 1.0 if change > 0.0 else 0.0
     motion[2] = change / dt if dt > 0.0 else 0.0
-    return held
 
 
 @compiled
@@ -277,8 +269,10 @@ def advance_springs(law, springs, state, motion, changes, times, numbers):  # ty
     workspace = np.empty((STEP_FACTORS, modes)), np.empty((3, count)), scratch, np.empty(STEP_NUMBERS)
     for n in range(changes.size):
         sums = numbers[n]
-        grown = _surveyed(law, state, times[n], 0.0, workspace)
-        held = _carry(law, springs, state, motion, changes[n], times[n], grown, workspace, sums)
+        dt, change = times[n], changes[n]
+        grown = _survey(law, state, dt, 0.0, workspace)
+        held = _step(law, springs, state, motion[0], change, dt, grown, workspace, True, sums)
+        _moved(motion, change, dt)
         sums[5] = _energy(law, springs, state)
         sums[6] = _radius(law, springs, state, motion, held)
         sums[8] = 1.0 if held > state[3][0] else 0.0
@@ -292,26 +286,33 @@ def _most(law, springs, target, dt):  # type: ignore[no-untyped-def]
 
 
 @compiled
-def _find(law, springs, state, motion, target, dt, guess, scale, grown, workspace):  # type: ignore[no-untyped-def]
-    """Return as `advance_to_force` for a surveyed step."""
-    factors, spans, scratch, sums = workspace
-    change, low, high, stride = guess, -np.inf, np.inf, 0.0
-    for turn in range(MOST_TRIALS):
-        held = _step(law, springs, state, motion[0], change, dt, grown, factors, spans, scratch, False, sums)
+def _find(law, springs, state, motion, target, dt, guess, scale, grown, workspace, known, keep):  # type: ignore[no-untyped-def]
+    """Return as `advance_to_force` for a surveyed step, or for a change that is known; `keep` carries the springs.
+
+    All that is compiled of a step stands here once: each further call of `_step` would cost seconds.
+    """
+    sums, change, low, high, stride = workspace[3], guess, -np.inf, np.inf, 0.0
+    for turn in range(MOST_TRIALS + 1):
+        held = _step(law, springs, state, motion[0], change, dt, grown, workspace, keep and known, sums)
+        if known:
+            if keep:
+                _moved(motion, change, dt)
+            return change, held
         excess = target[1] * sums[0] + target[2] * sums[1] + target[3] * change - target[0]
         steepness = target[1] * sums[3] + target[2] * sums[4] + target[3]
         if abs(excess) <= FORCE_TOLERANCE * scale:
-            return change, held
+            if not keep:
+                return change, held
+            known = True
+            continue
         low, high = (low, min(high, change)) if excess > 0.0 else (max(low, change), high)
         newton = change - excess / steepness if steepness > 0.0 else np.inf
         bracketed = np.isfinite(low) and np.isfinite(high)
         if low < newton < high and not (bracketed and turn % 4 == 3):
             change = newton
         elif bracketed:
-            middle = 0.5 * (low + high)
-            if not low < middle < high:
-                return middle, held
-            change = middle
+            change = 0.5 * (low + high)
+            known = not low < change < high
         else:
             stride = max(2.0 * stride, 0.5 * scale / _most(law, springs, target, dt), 1e-6 * abs(change))
             change += stride if excess < 0.0 else -stride
@@ -330,8 +331,8 @@ def advance_to_force(law, springs, state, motion, target, dt, guess, scale):  # 
     rows = np.empty((count, modes + 2)), np.empty(count, np.int64), np.empty(modes), np.empty(count)
     scratch = rows[0], rows[1], rows[2], rows[3], np.empty(4), np.empty(BENDS)
     workspace = np.empty((STEP_FACTORS, modes)), np.empty((3, count)), scratch, np.empty(STEP_NUMBERS)
-    grown = _surveyed(law, state, dt, 0.0, workspace)
-    return _find(law, springs, state, motion, target, dt, guess, scale, grown, workspace)
+    grown = _survey(law, state, dt, 0.0, workspace)
+    return _find(law, springs, state, motion, target, dt, guess, scale, grown, workspace, False, False)
 
 
 @compiled
@@ -414,32 +415,38 @@ def advance_under_forces(law, springs, state, motion, forces, times, limits, cou
             guess = (course[0] + 0.5 * bent * (dt + course[3])) * dt
             if abs(bent) * dt * dt > CORNER * abs(guess):  # springs that come and go within a step do so without it
                 bent, guess = 0.0, course[0] * dt
-            grown = _surveyed(law, state, dt, bent, workspace)
-            whole, _ = _find(law, springs, state, motion, target, dt, guess, scale, grown, workspace)
-            if np.isnan(whole):
-                return n, 1
-            # where the force kinks, so does the depth: that is no bend
-            kink = (slope - course[4]) * dt / sums[3] if sums[3] > 0.0 else 0.0
-            corner = viscous or abs(kink) > CORNER * abs(whole)
-            error = 0.0 if sudden else np.inf if corner else _curved(law, whole - guess - kink, dt)
-            if error <= SURELY_LITTLE * little:
-                held = _carry(law, springs, state, motion, whole, dt, grown, workspace, sums)
-                worked, wasted, rate, length = sums[2], sums[9], whole / dt if dt > 0.0 else 0.0, dt
+            now, path, span, known, whole, moved, worked, wasted = state, motion, dt, False, 0.0, 0.0, 0.0, 0.0
+            kink, error = 0.0, 0.0
+            for stage in range(3):  # the whole step is tried; then it is made, or its halves are, elsewhere
+                if not known:
+                    grown = _survey(law, now, span, bent, workspace)
+                change, held = _find(
+                    law, springs, now, path, target, span, guess, scale, grown, workspace, known, stage > 0
+                )
+                if np.isnan(change):
+                    return n, 1
+                if stage == 0:
+                    # where the force kinks, so does the depth: that is no bend
+                    whole, kink = change, (slope - course[4]) * dt / sums[3] if sums[3] > 0.0 else 0.0
+                    corner = viscous or abs(kink) > CORNER * abs(whole)
+                    error = 0.0 if sudden else np.inf if corner else _curved(law, whole - guess - kink, dt)
+                    known = error <= SURELY_LITTLE * little
+                    if not known:
+                        _put(state, motion, there, away)
+                        now, path, span = there, away, 0.5 * dt
+                    guess = whole if known else 0.5 * whole
+                else:
+                    moved, worked, wasted = moved + change, worked + sums[2], wasted + sums[9]
+                    guess = whole - moved
+                    if known:
+                        break
+                if not known:
+                    target[2] = 1.0 / span if viscous else 0.0
+                    target[0] = start + rise * (done + ((0.25 if viscous else 0.5) + 0.5 * stage) * dt) / duration
+            rate = change / span if span > 0.0 else 0.0
+            if known:
                 bent = 2.0 * (rate - course[0] - kink / dt) / (dt + course[3]) if dt > 0.0 and course[3] > 0.0 else 0.0
             else:
-                _put(state, motion, there, away)
-                moved, worked, wasted, half = 0.0, 0.0, 0.0, 0.5 * dt
-                for stage in range(2):
-                    target[2] = 1.0 / half if viscous else 0.0
-                    place = 0.25 + 0.5 * stage if viscous else 0.5 + 0.5 * stage
-                    target[0] = start + rise * (done + place * dt) / duration
-                    guess = 0.5 * whole if stage == 0 else whole - moved
-                    grown = _surveyed(law, there, half, bent, workspace)
-                    change, _ = _find(law, springs, there, away, target, half, guess, scale, grown, workspace)
-                    if np.isnan(change):
-                        return n, 1
-                    touching = _carry(law, springs, there, away, change, half, grown, workspace, sums)
-                    moved, worked, wasted = moved + change, worked + sums[2], wasted + sums[9]
                 error = abs(moved - whole)
                 if error > little:
                     if dt < SHORTEST_STEP * duration:
@@ -447,13 +454,12 @@ def advance_under_forces(law, springs, state, motion, forces, times, limits, cou
                     pace = dt * max(0.2, 0.9 * (little / error) ** (1.0 / 3.0))
                     continue
                 _put(there, away, state, motion)
-                held, rate, length = touching, change / half, half
-                bent = (2.0 * change - moved) / (half * half)
+                bent = (2.0 * change - moved) / (span * span)
             work, lost = work + worked, lost + wasted
             if sudden:
                 sudden, course[2] = False, 0.0
                 continue
-            course[0], course[2], course[3], course[4] = rate, bent, length, slope
+            course[0], course[2], course[3], course[4] = rate, bent, span, slope
             done = duration if last else done + dt
             grow = dt * min(4.0, max(0.3, 0.9 * (little / max(error, 1e-6 * little)) ** (1.0 / 3.0)))
             pace = max(pace, grow) if last else grow  # a step that the end has cut short says little of the next
