@@ -37,7 +37,7 @@ normal = { kind = "force", force = {force} }
 """
 
 TANGENTIAL = Calculator(
-    "tangential", "Tangential contact", "How far does a ball give way before it slides?", "tangential",
+    "tangential", "Tangential contact", "How far is a ball displaced before it slides?", "tangential",
     (*BODIES, SHARE),
     (
         metres("shift", "u_x", "shift of the bodies", "shift[-1]"),
@@ -142,7 +142,7 @@ HEATING = Calculator(
         contact_radius(),
     ),
     "speed", "temperature",
-    "Steady sliding of smooth, thick bodies, whose greatest temperatures are alike (Blok); their own warming up, and "
+    "Steady sliding of smooth, thick bodies, whose greatest temperatures are equal (Blok); their own warming up, and "
     "changes of their material with it, come on top.",
     "chapters/heating.html",
     "first_speed = {speed}\n" + HELD + (BALL + ALIKE + PRESSED).replace("problem", "problem.contact") + FRICTION + """
@@ -158,7 +158,7 @@ WEAR = Calculator(
     "wear", "Wear by fretting", "In which shape does fretting wear end, and how much is lost?", "limiting_profile",
     (
         RADIUS,
-        Slider("depth", "d", "indentation depth, which is held", "um", 0.1, 100.0, 1.0),
+        Slider("depth", "d", "indentation depth, which is constant", "um", 0.1, 100.0, 1.0),
         YOUNG, POISSON, COEFFICIENT, SHARE._replace(symbol="U/U_max", words="part of the shift at which all slides"),
     ),
     (
@@ -169,7 +169,8 @@ WEAR = Calculator(
         metres("shift", "U", "amplitude of the shift", "problem.amplitude.shift"),
     ),
     "share", "worn_volume",
-    f"{BETWEEN_ALIKE}; the depth and the amplitude are held, what sticks is not worn, and the time does not matter.",
+    f"{BETWEEN_ALIKE}; the depth and the amplitude are constant, the stick zone does not wear, and the time does not "
+    "matter.",
     "chapters/wear.html",
     BALL + ALIKE + FRICTION + """
 [problem.normal]

@@ -85,7 +85,7 @@ def course_of(owner: str, medium: Any) -> tuple[MappedMedium, RelaxationSeries |
     if not (alone or creep_ratio(*bodies) is not None or all(body.poisson == 0.5 for body in bodies)):
         raise InvalidInput(
             f"{owner}: the bodies relax each by a function of its own, so that the surface relaxes otherwise along "
-            "than across itself and no single function of time stands for both; give bodies that relax in proportion, "
+            "than across itself and no single function of time describes both; give bodies that relax in proportion, "
             "one of them rigid, or both with the Poisson's ratio 0.5."
         )
     first, second = (elastic_with(body, GLASSY) for body in bodies)

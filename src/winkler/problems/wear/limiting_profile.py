@@ -147,7 +147,7 @@ class LimitingProfile:
         core = min(radii)
         if core == 0.0:
             shrinks = radii.first > 0.0
-            fate = "the core shrinks to nothing while its surroundings wear" if shrinks else "everything slips"
+            fate = "the stick zone vanishes as the surface around it wears" if shrinks else "everything slips"
             raise OutsideValidity(
                 f"LimitingProfile: with an amplitude of {moved:.6g} m {fate}; such a contact wears without end: give a "
                 "smaller amplitude, or use FrettingWear."

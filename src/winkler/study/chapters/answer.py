@@ -36,6 +36,10 @@ ALONG = ("shift", "depth")
 """Abscissae of the answers to many loads where no curves are named: the first of these that was computed."""
 Kinds = dict[str, dict[str, Kind]]
 """Slot -> kind -> its line of the catalogue."""
+WORN_SHAPE = "the pressure of a worn shape is known at single places only; {} states them before wear"
+YIELDED = "a metal that has yielded carries its strength; plastic_indentation states the load at which it yields"
+TENSE = "the edge is under tension that is infinite or has a range; {} states them without adhesion"
+"""Why the stresses of a contact may not be stated; of the kind that states them, ``indentation`` or that of lines."""
 
 
 class Caption(NamedTuple):
@@ -99,6 +103,8 @@ class Answer(NamedTuple):
         ``{contact_share}`` is the contact area over that of the height map.  Of the others the number is named.
     beyond
         The kind that takes the same bodies and goes on where a metal yields; empty without one.
+    unstressed
+        Why the stresses of its contacts are not stated where they are not; empty where their bodies are the reason.
     live
         Whether the panels of the picture take milliseconds, so that the app draws them at each move of a slider.
     """
@@ -117,6 +123,7 @@ class Answer(NamedTuple):
     event: str = ""
     says: Mapping[str, str] = MappingProxyType({})
     beyond: str = ""
+    unstressed: str = ""
     live: bool = False
 
 
@@ -137,6 +144,7 @@ def answer(
     event: str = "",
     says: Mapping[str, str] = MappingProxyType({}),
     beyond: str = "",
+    unstressed: str = "",
     live: bool = False,
     **example: Any,
 ) -> Answer:
@@ -161,6 +169,7 @@ def answer(
         event,
         says,
         beyond,
+        unstressed,
         live,
     )
 

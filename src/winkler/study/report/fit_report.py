@@ -176,7 +176,7 @@ def _in_words(study: FitStudy) -> str:
         facts.append("The measured forces drive the contact, and the positions were fitted.")
     if study.spring_constant:
         facts.append(
-            f"The spring constant {with_unit(study.spring_constant, 'N/m')} was given, not taken from the files."
+            f"The spring constant {with_unit(study.spring_constant, 'N/m')} was given, not read from the files."
         )
     if study.sensitivity:
         facts.append(f"The sensitivity {with_unit(study.sensitivity, 'm/V')} was given.")

@@ -9,7 +9,7 @@ __all__ = ["MOTION"]
 MOTION: dict[str, Word] = {
     # adhesion
     "law": Word("", None, "how the surfaces of the bodies act on each other"),
-    "work": Word("w", "J/m^2", "work of adhesion: what parting takes, per area"),
+    "work": Word("w", "J/m^2", "work of adhesion: energy per area of separation"),
     "work_closing": Word("w_c", "J/m^2", "what an advancing edge of the contact gains, per area"),
     "work_opening": Word("w_o", "J/m^2", "what a receding edge of the contact costs, per area"),
     "range": Word(r"\delta_0", "m", "how far the attraction reaches"),

@@ -25,7 +25,7 @@ SURFACES: dict[str, Word] = {
     "lengths": Word("L_i", "m", "lengths of a map along its two directions"),
     "periodic": Word("", None, "whether a surface is repeated for ever, or stands alone"),
     "tip_radius": Word("R_t", "m", "radius of the tip that has scanned a surface; zero if none has rounded it"),
-    "removed": Word("", None, "what was taken out of measured heights"),
+    "removed": Word("", None, "what was subtracted from measured heights"),
     "reading": Word("", None, "how the heights of a map came from points off a grid, in words"),
     "hurst": Word("H", "", "Hurst exponent: how steeply the roughness falls towards short waves"),
     "rms_height": Word(r"h_\mathrm{rms}", "m", "root mean square of the heights about their mean"),

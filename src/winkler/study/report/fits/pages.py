@@ -91,7 +91,7 @@ def curve_facts(outcome: FitOutcome, result: Fitted) -> str:
         ("sensitivity", f"{with_unit(study.sensitivity, 'm/V')}, given in the study" if study.sensitivity else
          "none was given: that of the file, if it holds volts"),
         ("frame stiffness", with_unit(study.frame_stiffness, "N/m") if math.isfinite(study.frame_stiffness) else
-         "none: the frame is taken as stiff"),
+         "none: the frame is assumed stiff"),
         ("noise", f"{with_unit(result.fit.noise, study.spread.unit)}, "
          + ("given in the study" if study.noise else "estimated from the points out of contact")),
         *((f"correction {number}", step) for number, step in enumerate(result.steps, 1)),
