@@ -192,7 +192,7 @@ def test_an_interrupted_march_keeps_what_it_reached():
     study = Study("", RUBBED, sweep=(Axis("problem.law.coefficient", (0.2, 0.3)),))
     points = list(solve_points(study, watch=watch))
     assert [point.code for point in points] == [INTERRUPTED]  # the next point is not begun
-    assert points[0].stopped.endswith("the march ended: it was interrupted.")
+    assert points[0].stopped.endswith("the calculation ended: it was interrupted.")
     assert np.array_equal(points[0].answers["shear_force"], RUBBED.solve().shear_force[:4])
 
 

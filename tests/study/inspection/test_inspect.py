@@ -142,7 +142,7 @@ def test_files_in_toml_are_calibrated_indenters_or_studies(tmp_path):
     assert found.done == ("area coefficients 24.5, 1e-07 (SI)", "frame compliance 100 nm/N")
     tip.write_text('[problem]\nkind = "indentation"\n')
     assert not inspect_file(tip).is_read
-    assert "if it is a study, `winkler run`" in inspect_file(tip).reason
+    assert "if it is a study, solve it by `winkler run`" in inspect_file(tip).reason
 
 
 def test_a_list_reads_what_it_can(tmp_path):
