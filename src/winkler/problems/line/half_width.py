@@ -302,7 +302,7 @@ def _refuse_unless_strip(bed: LineBed, half_width: float, beside: float) -> None
     if np.min(pressure) < -ROUNDING * np.max(np.abs(pressure)):
         raise OutsideValidity(
             f"A strip of the half-width {half_width:.6g} m would pull at {inside[np.argmin(pressure)]:.6g} m: the "
-            "contact has parted into several; press harder, give a smoother profile, or take LineProfileContact."
+            "contact has parted into several; press harder, give a smoother profile, or use LineProfileContact."
         )
     outside, opened = bed.gaps(half_width, min(bed.reach, bed.rim, beside * half_width))
     if np.min(opened) < -ROUNDING * np.max(np.abs(opened)):

@@ -330,7 +330,7 @@ class StrengthFromDent:
                 return place
         raise NotConverged(
             f"StrengthFromDent: the strength of {sizes.size} loads has not settled after {MOST_STEPS} steps; check "
-            "loads, dents and units, or take fewer."
+            "loads, dents and units, or use fewer."
         )
 
     def _solution(self, strength: float) -> StrengthFromDentSolution:

@@ -127,51 +127,15 @@ class Answer(NamedTuple):
     live: bool = False
 
 
-def answer(
-    path: str,
-    /,
-    *cites: str,
-    question: str = "",
-    page: str = "",
-    headline: tuple[str, ...] = (),
-    formulas: Formulas | tuple[Equation, ...],
-    picture: Caption | None = None,
-    curves: tuple[tuple[str, str], ...] = (),
-    compared: tuple[str, ...] = (),
-    pictured: PicturedContact = PicturedContact.LOAD,
-    contact_shown: str = "",
-    verdict: str = "",
-    event: str = "",
-    says: Mapping[str, str] = MappingProxyType({}),
-    beyond: str = "",
-    unstressed: str = "",
-    live: bool = False,
-    **example: Any,
-) -> Answer:
+def answer(path: str, /, *cites: str, formulas: Formulas | tuple[Equation, ...], **fields_and_example: Any) -> Answer:
     """Return a record: the path of the problem, its papers and an example as for `kind`, and the fields of `Answer`.
 
     Formulas in place of a function of the problem are the same for each problem of the kind.
     """
     made = (lambda problem: formulas) if isinstance(formulas, tuple) else formulas
-    line = kind(path, *cites, **example)
-    return Answer(
-        line,
-        made,
-        question,
-        page,
-        headline,
-        picture,
-        curves,
-        compared,
-        pictured,
-        contact_shown,
-        verdict,
-        event,
-        says,
-        beyond,
-        unstressed,
-        live,
-    )
+    example = dict(fields_and_example)
+    fields = {name: example.pop(name) for name in Answer._fields[2:] if name in example}
+    return Answer(kind(path, *cites, **example), made, **fields)
 
 
 class Chapter(NamedTuple):
