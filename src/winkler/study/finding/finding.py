@@ -171,6 +171,11 @@ def _table() -> Any:
     return tomllib.loads(text)
 
 
+@functools.cache
+def _list(name: str) -> frozenset[str]:
+    return frozenset(_table()[name].split())
+
+
 def _folded(text: str) -> str:
     """Return small letters without accents; an umlaut is as good as two letters, S-N as SN."""
     plain = unicodedata.normalize("NFKD", text.lower().replace("ß", "ss").replace("œ", "oe").replace("’", "'"))
@@ -180,7 +185,7 @@ def _folded(text: str) -> str:
 
 
 def _stem(word: str) -> str:
-    if word in _table()["whole"].split():
+    if word in _list("whole"):
         return word
     for ending in ENDINGS:
         if word.endswith(ending) and len(word) - len(ending) >= (5 if ending == "er" else 4):
@@ -191,8 +196,7 @@ def _stem(word: str) -> str:
 def _tokens(text: str) -> list[str]:
     """Return the words of a text and their stems, each once; a word in capitals begins a word of a public name."""
     found = re.findall(r"[a-z]+[0-9]*|[0-9]+", _folded(re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text)))
-    idle = _table()["idle"].split()
-    told = [word for word in found if len(word) > 1 and word not in idle]
+    told = [word for word in found if len(word) > 1 and word not in _list("idle")]
     return list(dict.fromkeys(map(_stem, told)))
 
 
