@@ -99,7 +99,7 @@ def curve_facts(outcome: FitOutcome, result: Fitted) -> str:
     if not result.steps:
         rows.append(("corrections", "none: it was fitted as it was measured"))
     lines = [f'<tr><td>{safe(name)}</td><td class="text wrap">{safe(content)}</td></tr>' for name, content in rows]
-    return section("Basis of these numbers", table([], lines))
+    return section("Basis of these values", table([], lines))
 
 
 def _stiffness(study: FitStudy, stiffness: float) -> str:
