@@ -45,7 +45,7 @@ def show(
         str, typer.Option(help="Which of its channels or measurements.", rich_help_panel=OF_A_SURFACE)
     ] = "",
     periodic: Annotated[
-        bool, typer.Option("--periodic", help="The map is repeated for ever.", rich_help_panel=OF_A_SURFACE)
+        bool, typer.Option("--periodic", help="The map is periodic.", rich_help_panel=OF_A_SURFACE)
     ] = False,
     tip_radius: Annotated[
         str, typer.Option(help="Radius of the tip that has scanned it, such as '10 nm'.", rich_help_panel=OF_A_SURFACE)

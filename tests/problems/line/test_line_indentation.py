@@ -321,7 +321,7 @@ def test_what_does_not_settle_at_the_end_is_no_vertical_end(monkeypatch):
         raise wk.NotConverged("still moves")
 
     monkeypatch.setattr("winkler.foundation.line.line_load", unsettled)
-    with pytest.raises(wk.NotConverged, match="what the profile bears at its end, 1 m"):
+    with pytest.raises(wk.NotConverged, match="what the profile carries at its end, 1 m"):
         borne_at_most(bed)
 
 

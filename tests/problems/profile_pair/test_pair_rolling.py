@@ -347,7 +347,7 @@ def test_friction_that_falls_with_the_velocity_of_slip():
     assert abs(weaker.longitudinal_force[0]) < abs(coulomb.longitudinal_force[0])
     with pytest.raises(wk.InvalidInput, match="no speed is given; give the speed of rolling in m/s, or Coulomb"):
         wk.ProfilePairRolling(partly, falling)
-    with pytest.raises(wk.OutsideValidity, match="what sticks is not determined; give a lower speed"):
+    with pytest.raises(wk.OutsideValidity, match="stick zone is not determined: give a lower speed"):
         wk.ProfilePairRolling(partly, falling, speed=1e6).solve()
 
 

@@ -74,7 +74,7 @@ def course_of(owner: str, medium: Any) -> tuple[MappedMedium, RelaxationSeries |
     series = medium.relaxation
     if series.viscosity > 0.0:
         raise InvalidInput(
-            f"{owner}: a dashpot alongside bears pixels that are caught suddenly with an infinite pressure; give a "
+            f"{owner}: a dashpot alongside loads pixels that are caught suddenly with an infinite pressure; give a "
             "solid without one, such as StandardSolid or Prony."
         )
     bodies: list[Any] = [getattr(medium, name, None) for name in ("first", "second")]

@@ -45,7 +45,7 @@ SAMPLES = 513
 
 ONE_DEPTH = Condition(
     lambda load: numbers_of(load).ndim == 0 and float(load.depth) > 0.0,
-    "give Depth(d) with one positive number: under a steady force the core takes over what the worn ring lets go, "
+    "give Depth(d) with one positive number: under a steady force wear transfers the load to the stick zone, "
     "use FrettingWear",
 )
 ONE_SHIFT = Condition(

@@ -23,7 +23,7 @@ SURFACES: dict[str, Word] = {
     "heights": Word("z", "m", "heights of a surface, up towards the other body; nan where missing"),
     "surface_load": Word("", None, "map of pressures and tractions that act on the first body"),
     "lengths": Word("L_i", "m", "lengths of a map along its two directions"),
-    "periodic": Word("", None, "whether a surface is repeated for ever, or stands alone"),
+    "periodic": Word("", None, "whether a surface is periodic"),
     "tip_radius": Word("R_t", "m", "radius of the tip that has scanned a surface; zero if none has rounded it"),
     "removed": Word("", None, "what was subtracted from measured heights"),
     "reading": Word("", None, "how the heights of a map came from points off a grid, in words"),
