@@ -169,7 +169,7 @@ def _before_vertical(level: Level, end: float) -> float:
             break
     if len(found) < len(VERTICAL) - 1:
         raise NotConverged(
-            f"the load close to the end of the profile, {end:.6g} m, does not settle; state its kinks, or end it before."
+            f"the load near the end of the profile, {end:.6g} m, does not settle; state its kinks, or end it before."
         )
     growth = np.diff(found)
     return np.inf if growth[-1] > LOGARITHMIC * growth[-2] else found[-1]
