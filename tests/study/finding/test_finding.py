@@ -51,7 +51,7 @@ def test_words_that_were_new_when_they_were_asked(language, share, least):
     with round 11, 62 % of 47, which has no end: what is missing there is shown beside its nearest neighbours.
     Rounds 12 and 13: English 50 of 50 and 28 of 30, German and French 33 of 34 and 27 of 30; of what is not covered
     46 of 60, and, once words that no entry has were named, 44 of 60, two of them with a neighbour far away.
-    Rounds 14 and 15, of the half that had mended nothing, though whoever mended the table had written it: English 40 of
+    Rounds 14 and 15, of the half that had mended nothing (but by the same writer as the mends): English 40 of
     42, German and French 18 of 19; of what is not covered 67 of 71 named and 69 said (52 and 65 before), with a doubt
     about 7 of 61 that are covered (10).  On 120 headings of a glossary of mechanical engineering, most of them far
     away, 100 (76); on 19 titles of forums, which nobody here had written, 14 (17, of which 3 by a doubt given up since).
