@@ -54,7 +54,7 @@ def test_words_that_were_new_when_they_were_asked(language, share, least):
     Rounds 14 and 15, of the half that had mended nothing (but by the same writer as the mends): English 40 of
     42, German and French 18 of 19; of what is not covered 67 of 71 named and 69 said (52 and 65 before), with a doubt
     about 7 of 61 that are covered (10).  On 120 headings of a glossary of mechanical engineering, most of them far
-    away, 100 (76); on 19 titles of forums, which nobody here had written, 14 (17, of which 3 by a doubt given up since).
+    away, 100 (76); on 19 titles of forums, which nobody here had written, 14 (17, of which 3 by a doubt now given up).
     The shares below are those of today, of words that have been seen: what a new word meets is nearer to the former.
     """
     asked = [one for one in asked_later() if language == ("beyond" if one[3] == ["beyond"] else one[1])]
