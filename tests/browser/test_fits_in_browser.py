@@ -103,7 +103,7 @@ def test_from_a_curve_to_its_modulus(fresh, tmp_path):
     again = fit_study(read_fit_study(tmp_path / "study.toml")).fitted[0].fit
     assert again.value(gel_study.free[0].path) == fit.value(gel_study.free[0].path)
     report = app_page.taken("report").decode("utf-8")
-    assert "Fitted numbers" in report
+    assert "Fitted parameters" in report
     assert main(["fit", str(tmp_path / "study.toml"), "--output", str(tmp_path / "by_command")]) == 0
     by_command = (tmp_path / "by_command" / "report.html").read_text(encoding="utf-8")
     assert '<p class="since assumed">Not yours, but an example&#x27;s: curvature radius 5\xa0um' in report

@@ -56,7 +56,7 @@ def test_ctrl_c_keeps_the_points_that_were_reached(name, tmp_path, monkeypatch, 
         assert len(list(csv.DictReader(file))) == SEVEN[name]
     output = capsys.readouterr()
     assert f"After {SEVEN[name]} " in output.out
-    assert "the march ended: it was interrupted." in output.out
+    assert "the calculation ended: it was interrupted." in output.out
     assert "the points that were reached are kept in out" in output.err
 
 

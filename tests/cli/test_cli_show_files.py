@@ -44,8 +44,8 @@ def test_a_bad_map_says_so(here, capsys):
     assert main(["show", "tilted.txt", "--unit", "nm", "--lengths", "10 um, 10 um", "--tip-radius", "1 mm"]) == 0
     text = capsys.readouterr().out
     assert "Missing: 1 of 4096 heights." in text
-    assert "--detrend plane takes it off." in text
-    assert "--without-spikes takes them out." in text
+    assert "--detrend plane subtracts it." in text
+    assert "--without-spikes removes them." in text
     assert "a tip of 0.001 m has rounded the map" in text
     options = ["--unit", "nm", "--lengths", "10 um", "--detrend", "plane", "--without-spikes"]
     assert main(["show", "tilted.txt", *options]) == 0

@@ -263,7 +263,7 @@ def test_what_is_refused():
         (lambda: array.step([0.0, math.nan, 0.0]), "depth is nan at contact 1"),
         (lambda: array.step(0.0, motion=[[0.0, 0.0], [0.0, math.inf], [0.0, 0.0]]), "motion is inf at contact 1"),
         (lambda: array.step("deep"), "holds what is no number"),
-        (lambda: array.step(0.0, duration=1.0), "takes no duration; give depth, motion, twist, roll"),
+        (lambda: array.step(0.0, duration=1.0), "has no input duration; give depth, motion, twist, roll"),
         (lambda: array.step(1e61), "contact 0"),
         (lambda: ContactArray(gel, 2, count=4).step(0.0), "needs the duration"),
         (lambda: ContactArray(gel, 2, count=4).step(0.0, duration=[1.0, -1.0]), "duration is -1 at contact 1"),

@@ -85,7 +85,7 @@ def test_two_particles_share_the_overlap_and_other_radii_have_no_force(tmp_path)
 
 
 def test_laws_with_much_memory_are_refused():
-    with pytest.raises(InvalidInput, match=r"without friction are written, this one takes motion_x"):
+    with pytest.raises(InvalidInput, match=r"have no friction, but this one needs motion_x"):
         export(PROBLEMS["sheared"], "dem-engine")
-    with pytest.raises(InvalidInput, match=r"remembers \d+ single numbers a contact, DEM-Engine keeps 16"):
+    with pytest.raises(InvalidInput, match=r"stores \d+ single-precision values per contact, DEM-Engine at most 16"):
         export(PROBLEMS["gel"], "dem-engine", count=8)

@@ -155,14 +155,14 @@ def test_what_cannot_be_told_apart_is_named():
     assert told.excluded == ("cone",)
     assert told.decided
     assert told.evidence[1] > np.exp(7.0)
-    assert told.verdict == "This curve tells Hertz from cone."
+    assert told.verdict == "This curve distinguishes Hertz from cone."
     near = compare(curve, {name: kinds[name] for name in ("Hertz", "JKR")})
     assert set(near.possible) == {"Hertz", "JKR"}
     assert not near.decided
-    assert near.verdict == f"This curve cannot tell: {' and '.join(near.models)}."
+    assert near.verdict == f"This curve does not distinguish {' and '.join(near.models)}."
     both = compare(curve, {name: kinds[name] for name in ("Hertz", "JKR", "cone")})
     assert set(both.possible) == {"Hertz", "JKR"}
-    assert both.verdict == f"This curve cannot tell: {' and '.join(both.possible)}; it excludes cone."
+    assert both.verdict == f"This curve does not distinguish {' and '.join(both.possible)}; it excludes cone."
 
 
 def test_when_no_model_explains_the_curve_none_wins():

@@ -54,7 +54,7 @@ def test_a_deep_curve_tells_and_its_modulus_holds(law):
     """0.4 of the thickness deep, 0.5 % of noise: the other one would give a modulus wrong by a factor."""
     other = "bonded" if law == "sliding" else "sliding"
     found = wk.compare(measured(law, deepest=0.8e-6, noise=5e-3, seed=1, count=80), MODELS)
-    assert found.verdict == f"This curve tells {law} from {other}."
+    assert found.verdict == f"This curve distinguishes {law} from {other}."
     low, high = found.best.interval(YOUNG)
     assert low < TRUE < high < 1.2 * low
 
@@ -63,7 +63,7 @@ def test_a_deep_curve_tells_and_its_modulus_holds(law):
 def test_noise_hides_the_interface():
     found = wk.compare(measured("sliding", deepest=0.1e-6, noise=5e-2, seed=2, count=60), MODELS)
     assert set(found.possible) == {"bonded", "sliding"}
-    assert found.verdict.startswith("This curve cannot tell: ")
+    assert found.verdict.startswith("This curve does not distinguish ")
 
 
 @pytest.mark.long

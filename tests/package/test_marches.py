@@ -73,7 +73,7 @@ def test_every_march_states_how_far_it_is_and_keeps_what_it_has_reached(name):
     assert whole.stopped == ""
     assert early.code == INTERRUPTED
     assert early.stopped.startswith(f"After {count} ")
-    assert early.stopped.endswith("which are kept, the march ended: it was interrupted.")
+    assert early.stopped.endswith("which are kept, the calculation ended: it was interrupted.")
     reached, columns = rows(early.solution), rows(whole.solution)
     assert reached
     assert total is None or all(len(column) == total for column in columns.values())

@@ -27,7 +27,7 @@ def test_fretting_is_shown_over_the_cycles():
         "worn profiles",
         "worn depth",
         "pressure",
-        "contact and core",
+        "contact and stick zone",
         "worn volume",
         "normal force",
     ]

@@ -12,7 +12,7 @@ from winkler.study.report.citing import cite
 VOID = {"meta", "br", "img", "link", "input", "hr"}
 CHAPTERS = (
     *("The problem", "At a glance", "Results", "How far this can be trusted", "The method in pictures", "Inputs"),
-    *("The formulas", "Papers", "Version and origin of the numbers", "The same numbers elsewhere"),
+    *("The formulas", "Papers", "Version and origin of the results", "The same results elsewhere"),
 )
 NUMBERS = re.compile(r"\d+(?:\.\d+)?(?:e[+-]\d+)?(?: (?:m|N|Pa|K|s|per cent)\b)?")
 """In a statement; a report writes them with prefixes, and per cent as a sign."""

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import functools
 import json
+import re
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -28,6 +29,7 @@ from winkler.study.report import archive
 from winkler.study.report.figures import figures_of
 from winkler.study.report.headline.shown_contact import shown_point
 from winkler.study.report.report import page
+from winkler.values.readable import with_readable_numbers
 from winkler.values.validity import Assumption, worst
 from winkler.web.pictures import answer
 from winkler.web.pictures.moments import initial_moment, moments_of
@@ -40,6 +42,8 @@ GROUPS = {
     "costly": sorted(COSTLY - LASTING),
     "lasting": sorted(LASTING),
 }
+RAW_SIZE = re.compile(r"\d[.\d]*e[-+]?\d|\b0\.0\d+ ?(?:m|N|Pa|J|W|K|A|V|s)\b(?!/)|\b\d{5,} ?(?:m|N|Pa)\b(?!/)")
+"""A number that a page should show with the prefix of a unit."""
 
 
 @functools.cache
@@ -55,7 +59,7 @@ def figures(kind: str) -> Any:
 
 
 def notes(kind: str) -> Iterator[str]:
-    """What a problem declares, and nothing else, is stated, in sentences with sources."""
+    """What a problem declares, and nothing else, is stated, in sentences with sources, lengths in micrometres."""
     solution = outcome_of(kind).points[0].solution
     declared = type(solution.problem).assumptions
     stated = solution.validity
@@ -64,6 +68,7 @@ def notes(kind: str) -> Iterator[str]:
     if not stated or not {note.assumption for note in stated} <= declared:
         yield f"it states {sorted({note.assumption.name for note in stated})}"
     yield from (note.statement for note in stated if not note.statement.endswith(".") or not note.source)
+    yield from filter(RAW_SIZE.search, (with_readable_numbers(note.statement) for note in stated))
     if worst(stated) not in {note.standing for note in stated}:
         yield f"the worst is {worst(stated)}"
 

@@ -104,7 +104,7 @@ def test_an_upload_lies_in_its_folder(folder):
 
 
 def test_uploads_are_limited(folder):
-    with pytest.raises(InvalidInput, match="20 MB are taken"):
+    with pytest.raises(InvalidInput, match="20 MB are accepted"):
         folder.keep("large.csv", b"0" * (LARGEST + 1))
     with pytest.raises(InvalidInput, match="is empty"):
         folder.keep("none.csv", b"")

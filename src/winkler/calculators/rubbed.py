@@ -37,13 +37,13 @@ normal = { kind = "force", force = {force} }
 """
 
 TANGENTIAL = Calculator(
-    "tangential", "Tangential contact", "How far does a ball give way before it slides?", "tangential",
+    "tangential", "Tangential contact", "How far is a ball displaced before it slides?", "tangential",
     (*BODIES, SHARE),
     (
         metres("shift", "u_x", "shift of the bodies", "shift[-1]"),
         AnswerNumber("shear_force", "F_x", "shear force", "N", "N", "shear_force[-1]"),
         contact_radius("radius[-1]"),
-        metres("stick_radius", "c", "radius of what sticks", "stick_radius[-1]"),
+        metres("stick_radius", "c", "radius of the stick zone", "stick_radius[-1]"),
     ),
     "share", "shift",
     f"{BETWEEN_ALIKE}; pushed for the first time, under a steady normal force.",
@@ -58,7 +58,7 @@ TORSION = Calculator(
         AnswerNumber("angle", "φ", "angle of twist", "mrad", "rad", "angle[-1]"),
         AnswerNumber("torque", "M_z", "torque", "N mm", "N m", "torque[-1]"),
         contact_radius("radius[-1]"),
-        metres("stick_radius", "c", "radius of what sticks", "stick_radius[-1]"),
+        metres("stick_radius", "c", "radius of the stick zone", "stick_radius[-1]"),
         AnswerNumber("torque_limit", "M_max", "torque at which all would slide", "N mm", "N m", "torque_limit[-1]"),
     ),
     "share", "angle",
@@ -142,7 +142,7 @@ HEATING = Calculator(
         contact_radius(),
     ),
     "speed", "temperature",
-    "Steady sliding of smooth, thick bodies, whose greatest temperatures are alike (Blok); their own warming up, and "
+    "Steady sliding of smooth, thick bodies, whose greatest temperatures are equal (Blok); their own warming up, and "
     "changes of their material with it, come on top.",
     "chapters/heating.html",
     "first_speed = {speed}\n" + HELD + (BALL + ALIKE + PRESSED).replace("problem", "problem.contact") + FRICTION + """
@@ -158,7 +158,7 @@ WEAR = Calculator(
     "wear", "Wear by fretting", "In which shape does fretting wear end, and how much is lost?", "limiting_profile",
     (
         RADIUS,
-        Slider("depth", "d", "indentation depth, which is held", "um", 0.1, 100.0, 1.0),
+        Slider("depth", "d", "indentation depth, which is constant", "um", 0.1, 100.0, 1.0),
         YOUNG, POISSON, COEFFICIENT, SHARE._replace(symbol="U/U_max", words="part of the shift at which all slides"),
     ),
     (
@@ -169,7 +169,8 @@ WEAR = Calculator(
         metres("shift", "U", "amplitude of the shift", "problem.amplitude.shift"),
     ),
     "share", "worn_volume",
-    f"{BETWEEN_ALIKE}; the depth and the amplitude are held, what sticks is not worn, and the time does not matter.",
+    f"{BETWEEN_ALIKE}; the depth and the amplitude are constant, the stick zone does not wear, and the time does not "
+    "matter.",
     "chapters/wear.html",
     BALL + ALIKE + FRICTION + """
 [problem.normal]

@@ -25,7 +25,7 @@ winkler show rounded_cone  (the keys of a kind, with units and an example)
 
 app = typer.Typer(
     name="winkler",
-    help="Contact mechanics by the method of dimensionality reduction: from a study file to numbers and figures.",
+    help="Contact mechanics by the method of dimensionality reduction: from a study file to results and figures.",
     epilog=EXAMPLES,
     no_args_is_help=True,
     rich_markup_mode="rich",

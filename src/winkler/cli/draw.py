@@ -24,7 +24,7 @@ PARTS = {
     "medium": "a coated or graded solid from its surface down, and the stiffness of its springs",
     "stress": "the stress below the surface; needs [fields] with r and z",
     "curve": "force, radius and stiffness over the depth, of a load that is a list",
-    "film": "what moves, as an animated .gif or an .mp4: the body, its springs, what sticks or slides, the pressure",
+    "film": "what moves, as an animated .gif or an .mp4: the body, its springs, stick and slip zones, the pressure",
 }
 
 

@@ -57,7 +57,7 @@ def fit(
         ),
     ] = "",
     pages: Annotated[
-        int, typer.Option(help="Of how many curves an own page is written, with everything behind their numbers.")
+        int, typer.Option(help="Of how many curves an own page is written, with everything behind their parameters.")
     ] = 0,
     anew: Annotated[bool, typer.Option("--anew", help="Forget what a batch that was stopped has fitted.")] = False,
     quiet: Quiet = False,

@@ -56,7 +56,7 @@ def new(
     ] = None,
     profile: Annotated[str, typer.Option(help="Kind of the profile.", autocompletion=_kinds("profile"))] = "",
     medium: Annotated[str, typer.Option(help="Kind of the medium.", autocompletion=_kinds("medium"))] = "",
-    bed: Annotated[str, typer.Option(help="Kind of the bed.", autocompletion=_kinds("bed"))] = "",
+    bed: Annotated[str, typer.Option(help="Kind of the elastic foundation (bed).", autocompletion=_kinds("bed"))] = "",
     load: Annotated[str, typer.Option(help="Kind of the load.", autocompletion=_kinds("load"))] = "",
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="The file to write; PROBLEM.toml if not given.")

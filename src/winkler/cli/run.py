@@ -268,7 +268,7 @@ def _print(outcome: Outcome, folder: Path) -> None:
     terminal.answers(outcome, out)
     doubt = doubt_of(outcome)
     if doubt.standing is Standing.OUTSIDE:
-        out.print(f"Do not use these numbers: {with_readable_numbers(doubt.statement)} {doubt.advice}", soft_wrap=True)
+        out.print(f"Do not use these results: {with_readable_numbers(doubt.statement)} {doubt.advice}", soft_wrap=True)
     elif sentence := headline(outcome):
         out.print(sentence, soft_wrap=True)
     if summary := contact_summary(outcome):

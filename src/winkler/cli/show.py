@@ -45,7 +45,7 @@ def show(
         str, typer.Option(help="Which of its channels or measurements.", rich_help_panel=OF_A_SURFACE)
     ] = "",
     periodic: Annotated[
-        bool, typer.Option("--periodic", help="The map is repeated for ever.", rich_help_panel=OF_A_SURFACE)
+        bool, typer.Option("--periodic", help="The map is periodic.", rich_help_panel=OF_A_SURFACE)
     ] = False,
     tip_radius: Annotated[
         str, typer.Option(help="Radius of the tip that has scanned it, such as '10 nm'.", rich_help_panel=OF_A_SURFACE)
@@ -57,12 +57,12 @@ def show(
         ),
     ] = False,
     detrend: Annotated[
-        str, typer.Option(help="What is taken off: none, mean, plane or paraboloid.", rich_help_panel=OF_A_SURFACE)
+        str, typer.Option(help="What is subtracted: none, mean, plane or paraboloid.", rich_help_panel=OF_A_SURFACE)
     ] = "none",
     levelled: Annotated[
         str,
         typer.Option(
-            help="What is taken off each scan line: none, median, differences, line or parabola.",
+            help="What is subtracted from each scan line: none, median, differences, line or parabola.",
             rich_help_panel=OF_A_SURFACE,
         ),
     ] = "none",
@@ -86,7 +86,7 @@ def show(
         ),
     ] = False,
 ) -> None:
-    r"""Show what a kind takes: keys, units, ranges, and an example; or find the kind for a word or a question.
+    r"""Show keys, units, ranges and an example of a kind; or find the kind for a word or a question.
 
     Without a name, all kinds are listed; 'study' shows the sections of a study file, 'fit' those of `winkler fit` with
     its models, corrections and flags, 'nanoindentation' the sections \[indentation], \[calibration] and \[indenter],
@@ -95,7 +95,7 @@ def show(
     Other words, in English, German or French, are searched for: what comes nearest is listed, the best first, and what
     winkler does not cover is said.
 
-    Of a measured file it shows what it is taken for and why, the range of each column, what was done (segments, events,
+    Of a measured file it shows how it is read and why, the range of each column, what was done (segments, events,
     touch, drift), what is doubtful, and of a map or a scan its statistics; --write writes a study to start from. Many
     files, or a folder, make a list with a row for each.
 
@@ -204,7 +204,7 @@ def _list(only: str) -> None:
             table.add_section()
     out = terminal.console()
     out.print(table)
-    out.print("`winkler show KIND` shows what a kind takes, `winkler show study` what a study file may contain.")
+    out.print("`winkler show KIND` shows the keys of a kind, `winkler show study` what a study file may contain.")
     out.print("`winkler show fit` and `winkler show nanoindentation` show what is evaluated from measured curves.")
 
 
@@ -230,7 +230,7 @@ def _kind(name: str) -> None:
             table.add_row(key.name, plain_symbol(key.word.symbol), key.takes, key.word.meaning, key.range, need)
         out.print(table)
     else:
-        out.print("It takes no keys.\n")
+        out.print("It has no keys.\n")
     out.print("Example:\n")
     out.print(example_text(name), soft_wrap=True)
     papers = cite(parse_study(whole_text(name)).problem)

@@ -214,7 +214,7 @@ def _print_list(rows: list[Inspection], left: int) -> None:
     from winkler.cli import terminal
 
     out = terminal.console()
-    table = terminal.table("file", "taken for", "numbers", "range of the last column", "", "doubtful")
+    table = terminal.table("file", "read as", "values", "range of the last column", "", "doubtful")
     for one in rows:
         last = one.columns[-1] if one.columns else None
         reason = one.reason.removeprefix(f"{one.file}: ")
@@ -235,7 +235,7 @@ def _print_list(rows: list[Inspection], left: int) -> None:
         counts[one.taken_for or "not read"] = counts.get(one.taken_for or "not read", 0) + 1
     out.print(f"{len(rows)} files: {', '.join(f'{count} {kind}' for kind, count in counts.items())}.")
     if left:
-        out.print(f"{left} more files were not read: a list takes {MOST_FILES} files and {LONGEST_LIST:.0f} s at most.")
+        out.print(f"{left} more files were not read; the limits are {MOST_FILES} files and {LONGEST_LIST:.0f} s.")
 
 
 def _draw(found: Inspection, output: Path) -> None:

@@ -52,7 +52,7 @@ def show_fit() -> None:
         out.print(table)
     out.print("Example:\n")
     out.print(EXAMPLE, soft_wrap=True, markup=False)
-    out.print("`winkler show KIND` shows what a model takes; docs/fits.md explains the rest.", markup=False)
+    out.print("`winkler show KIND` shows the keys of a model; docs/fits.md explains the rest.", markup=False)
 
 
 def fit_json() -> dict[str, list[dict[str, str]]]:

@@ -267,8 +267,8 @@ def of_every_radius(law: StepLaw, problem: Any) -> StepLaw:
     """
     if math.isnan(law.curvature_radius):
         raise InvalidInput(
-            "export: every-radius needs a paraboloid as profile, whose contacts of all radii are alike; leave it out, "
-            "or give another profile."
+            "export: every-radius needs a paraboloid as profile, whose contacts of all radii are similar; leave it "
+            "out, or give another profile."
         )
     bed = getattr(getattr(problem, "problem", problem), "bed", None)
     if bed is not None:

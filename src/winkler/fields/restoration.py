@@ -243,8 +243,8 @@ def restore_shift(solution: Dragged, x: ArrayLike, y: ArrayLike) -> Array:
     places = common_places("restore_shift", x=x, y=y)
     if not is_dragged(solution):
         raise InvalidInput(
-            f"restore_shift: a {type(solution).__name__} drags no surfaces along; give the solution of a problem with "
-            "a tangential load, at one point of its path."
+            f"restore_shift: a {type(solution).__name__} has no tangential displacement of the surfaces; give the "
+            "solution of a problem with a tangential load, at one point of its path."
         )
     refuse_unless_round(solution.sheared.pressed, "restore_shift", FIELD_ADVICE)
     return shift_of_surface(solution.sheared, *places)

@@ -121,9 +121,9 @@ class Comparison:
         if not self.explained:
             return f"None of the models explains this curve; {self.models[0]} comes nearest."
         if len(self.possible) > 1:
-            return f"This curve cannot tell: {possible}{f'; it excludes {excluded}' if excluded else ''}."
+            return f"This curve does not distinguish {possible}{f'; it excludes {excluded}' if excluded else ''}."
         if excluded:
-            return f"This curve tells {possible} from {excluded}."
+            return f"This curve distinguishes {possible} from {excluded}."
         return f"{possible} is the only model that was fitted."
 
 

@@ -36,7 +36,7 @@ JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sections 4.2 and 7.
 
 HOMOGENEOUS_MEDIUM = Condition(
     lambda medium: isinstance(medium, HomogeneousMedium),
-    "Hertz's ellipse is known on homogeneous half-spaces alone, give HalfSpace or ViscoelasticHalfSpace",
+    "Hertz's ellipse is implemented for homogeneous half-spaces only, give HalfSpace or ViscoelasticHalfSpace",
 )
 
 

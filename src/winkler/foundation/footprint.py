@@ -50,7 +50,7 @@ class UnknownOutline:
     """
 
     __words__ = words(
-        origin=("", None, "what the springs stand for"),
+        origin=("", None, "contact that the springs represent"),
         instead=("", None, "class that computes the outline"),
     )
 

@@ -87,7 +87,7 @@ class LineFoundation(LineBed):
     profile: Profile
     medium: Annotated[
         HomogeneousMedium,
-        Advice("layers go into a LayeredLineFoundation, and the half-plane of a line contact is known on no other"),
+        Advice("layers go into a LayeredLineFoundation, and other media are not implemented for line contacts"),
     ]
 
     sheared_as_pressed: ClassVar[bool] = True

@@ -94,7 +94,7 @@ def read_curve(
         read_curves(path, spring_constant=spring_constant, sensitivity=sensitivity, units=units, columns=columns)
     )
     if len(curves) > 1:
-        raise InvalidInput(f"{path}: the file holds {len(curves)} curves; take read_curves(path), it yields them all.")
+        raise InvalidInput(f"{path}: the file holds {len(curves)} curves; use read_curves(path), it yields them all.")
     if not curves:
         raise InvalidInput(f"{path}: the file holds no curve; give another one.")
     return curves[0].curve

@@ -56,7 +56,7 @@ def swap_note(position: Array, force: Array) -> str:
     if share <= CONCAVE:
         return ""
     return (
-        f"doubtful: half of the depth bears {100 * share:.0f} % of the greatest force, and the loading is concave; "
+        f"doubtful: half of the depth carries {100 * share:.0f} % of the greatest force, and the loading is concave; "
         "position and force may be exchanged, or a bar was pulled"
     )
 

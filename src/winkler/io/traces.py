@@ -30,7 +30,7 @@ CONVENTIONS = (
     "Depth counts from the first touch of the undeformed bodies; both bodies' displacements are added.",
     "Shift and shear force point in the same direction: the force is the one that moves the bodies by the shift.",
     "1/E* = sum of (1-nu^2)/E and 1/G* = sum of (2-nu)/(4G), over both bodies; Hertz is F = 4/3 E* sqrt(R) d^(3/2).",
-    "Work of adhesion is the energy per area that parting takes, the sum of both surface energies less that of the "
+    "Work of adhesion is the energy per area of separation, the sum of both surface energies less that of the "
     "interface; JKR pull-off is 3/2 pi w R.",
     "Energies are in J since the beginning; dissipation never falls.",
 )

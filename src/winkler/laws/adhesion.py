@@ -73,13 +73,13 @@ class ShortRange:
         checked(NON_NEGATIVE, "ShortRange", "work_closing", closing, "J/m^2")
         if whole != opening:
             raise InvalidInput(
-                f"ShortRange: work is {whole!r} J/m^2 but work_opening {opening!r}; work stands for what parting "
-                "takes: leave one of them out, or make them equal."
+                f"ShortRange: work is {whole!r} J/m^2 but work_opening {opening!r}; work is that of "
+                "opening: leave one of them out, or make them equal."
             )
         if closing > opening:
             raise InvalidInput(
                 f"ShortRange: work_closing ({closing!r} J/m^2) exceeds work_opening ({opening!r}), so that every cycle "
-                "would give energy away; closing returns at most what parting takes."
+                "would give energy away; closing returns at most the work of opening."
             )
         for word, number in (("work", opening), ("work_closing", closing), ("work_opening", opening)):
             object.__setattr__(self, word, float(number))

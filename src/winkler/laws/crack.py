@@ -127,7 +127,7 @@ class SaturatingWork:
         if self.fast_work <= self.work:
             raise InvalidInput(
                 f"SaturatingWork: fast_work ({self.fast_work!r} J/m^2) is not above work ({self.work!r}); fast opening "
-                "takes more than slow opening: give more, or use ShortRange."
+                "needs more than slow opening: give more, or use ShortRange."
             )
 
     def opening(self, speed: ArrayLike) -> Array:

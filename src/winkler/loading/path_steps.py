@@ -105,7 +105,7 @@ class Ramp:
         If a load is of another kind or an array, or a number out of bounds.
     """
 
-    __words__ = words(duration=("T", "s", "how long it takes"))
+    __words__ = words(duration=("T", "s", "duration of the step"))
 
     normal: NextNormal = Unchanged()
     lateral: NextLateral = Unchanged()

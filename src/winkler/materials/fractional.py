@@ -38,7 +38,7 @@ SLOW_MARGIN, FAST_MARGIN = 46.0, 5.0
 FractionalExponent: TypeAlias = Annotated[
     float,
     Number(f"give a number from {LEAST_STEP_RATIO:g} to below 1", LEAST_STEP_RATIO, 1.0, (1.0,)),
-    Advice(f"below {LEAST_STEP_RATIO:g} the modulus falls by less than 0.03 % in a decade of time, take Elastic"),
+    Advice(f"below {LEAST_STEP_RATIO:g} the modulus falls by less than 0.03 % in a decade of time, use Elastic"),
 ]
 
 

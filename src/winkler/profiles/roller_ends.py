@@ -73,7 +73,7 @@ class CrownedEnds:
         """Raise an error if the straight part leaves no length for the arcs."""
         if self.straight_length >= 2.0 * half_length:
             raise InvalidInput(
-                f"RollerContact: the straight part of {self.straight_length:.6g} m takes the whole roller of "
+                f"RollerContact: the straight part of {self.straight_length:.6g} m covers the whole roller of "
                 f"{2.0 * half_length:.6g} m; give SharpEnds, or a shorter part."
             )
 

@@ -297,5 +297,5 @@ def _refuse_unknown(cls: type, construct: Callable[..., None], named: dict[str, 
     names = [name for name in inspect.signature(construct).parameters if name != "self"]
     for name in named:
         if name not in names:
-            takes = f"it takes {', '.join(names)}" if names else "it takes none"
+            takes = f"it accepts {', '.join(names)}" if names else "it accepts none"
             raise TypeError(f"{cls.__name__}: there is no argument '{name}'{suggest(name, names)}; {takes}.") from None

@@ -48,7 +48,7 @@ def test_a_blunt_tip_taken_for_a_ball_of_the_same_size_is_compared():
     force = wk.Indentation(wk.Foundation(tip, wk.HalfSpace.between(wk.Elastic(1e5, 0.5))), wk.Depth(POSITION)).solve()
     curve = ForceCurve(POSITION, force.force + 1e-4 * force.force.max() * NOISE)
     models = {"ball": (pressed(wk.Sphere(RADIUS)), FREE), "blunt": (pressed(tip), FREE)}
-    assert compare(curve, models).verdict == "This curve tells blunt from ball."
+    assert compare(curve, models).verdict == "This curve distinguishes blunt from ball."
 
 
 @dataclasses.dataclass(frozen=True)

@@ -39,14 +39,14 @@ def test_clear_curves_tell(law, other):
     found = compared(1, law, 1e-11)
     assert found.decided
     assert found.possible == (law,)
-    assert found.verdict == f"This curve tells {law} from {other}."
+    assert found.verdict == f"This curve distinguishes {law} from {other}."
 
 
 def test_noise_hides_the_tip():
     found = compared(2, "ball", 1e-9, count=60)
     assert not found.decided
     assert set(found.possible) == {"ball", "cone"}
-    assert found.verdict.startswith("This curve cannot tell: ")
+    assert found.verdict.startswith("This curve does not distinguish ")
 
 
 def test_no_model_is_confirmed_by_a_worse_one():

@@ -191,7 +191,7 @@ def test_fractional_solids_that_hardly_relax_are_refused():
         lambda x: wk.PowerLawSolid(500.0, 1.0, x, shortest=1e-4, longest=100.0),
     ):
         with pytest.raises(
-            InvalidInput, match=r"exponent is 1e-09; give a number from 0\.0001 to below 1: .* take Elastic\.$"
+            InvalidInput, match=r"exponent is 1e-09; give a number from 0\.0001 to below 1: .* use Elastic\.$"
         ):
             solid(1e-9)
         assert solid(1e-4).exponent == 1e-4

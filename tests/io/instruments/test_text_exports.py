@@ -40,7 +40,7 @@ def test_fischerscope(tmp_path):
     assert second.curve.name == "glass.txt, block 1, value 2"
     assert "the file states no units: mN, um and s are those of the instrument" in first.curve.reading
     assert "hmax [µm] 0.50" in first.curve.reading
-    with pytest.raises(wk.InvalidInput, match="the file holds 2 curves; take read_curves"):
+    with pytest.raises(wk.InvalidInput, match="the file holds 2 curves; use read_curves"):
         read_curve(path)
     given = next(iter(read_curves(path, units={"force": "N"})))
     np.testing.assert_allclose(given.curve.force, [0.5, 1.25])

@@ -142,7 +142,7 @@ def test_a_smooth_function_is_read_little_more_than_once_for_each_of_many_target
 
 
 def test_a_target_that_is_never_met():
-    with pytest.raises(NotConverged, match="No contact radius bears the load"):
+    with pytest.raises(NotConverged, match="No contact radius carries the load"):
         invert(
             lambda x: (np.tanh(x), np.cosh(np.minimum(x, 300.0)) ** -2.0),
             np.array([2.0]),

@@ -264,7 +264,7 @@ def test_a_wave_too_high_for_one_strip_is_refused_inside_and_beside():
 
 
 def test_other_bodies_are_refused_and_many_loads_have_no_single_pressure():
-    with pytest.raises(wk.InvalidInput, match="half-plane of a line contact"):
+    with pytest.raises(wk.InvalidInput, match="not implemented for line contacts"):
         wk.LineFoundation(wk.Paraboloid(RADIUS), wk.CoatedHalfSpace([wk.Layer(STEEL, 1e-3)], on=wk.Rigid()))
     many = pressed(wk.Paraboloid(RADIUS), wk.LineForce([1.0, 2.0]))
     with pytest.raises(wk.InvalidInput, match="pick one"):
@@ -321,7 +321,7 @@ def test_what_does_not_settle_at_the_end_is_no_vertical_end(monkeypatch):
         raise wk.NotConverged("still moves")
 
     monkeypatch.setattr("winkler.foundation.line.line_load", unsettled)
-    with pytest.raises(wk.NotConverged, match="what the profile bears at its end, 1 m"):
+    with pytest.raises(wk.NotConverged, match="what the profile carries at its end, 1 m"):
         borne_at_most(bed)
 
 

@@ -107,7 +107,7 @@ def test_gradings_far_beside_the_elements():
 
 def test_what_is_not_known_is_refused():
     found = wk.LineProfileContact(wk.CylinderRow([10e-3], [0.0], [0.0]), graded(0.5), LOAD).solve()
-    with pytest.raises(wk.OutsideValidity, match="stresses inside a GradedHalfSpace are not known"):
+    with pytest.raises(wk.OutsideValidity, match="stresses inside a GradedHalfSpace are not implemented"):
         found.stresses(0.0, 1e-4)
     gibson = wk.GradedHalfSpace(wk.PowerLawGraded(200e9, 1e-3, 1.0, 0.5))
     with pytest.raises(wk.OutsideValidity, match="exponent below 1"):

@@ -133,7 +133,7 @@ def test_a_bulk_stress_in_the_base_strains_layers_and_base_alike():
     assert layered.dissipation_per_length[-1] == pytest.approx(plain.dissipation_per_length[-1], rel=1e-9)
     assert layered.stick_middle[-1] == pytest.approx(plain.stick_middle[-1], rel=1e-8)
     film = wk.LayeredLineFoundation(CYLINDER, wk.CoatedHalfSpace([wk.Layer(solid(), 1.0)], wk.Rigid()))
-    with pytest.raises(wk.InvalidInput, match="bears no bulk stress"):
+    with pytest.raises(wk.InvalidInput, match="carries no bulk stress"):
         wk.LineTangential(film, wk.Coulomb(MU), path)
 
 

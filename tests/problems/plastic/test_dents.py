@@ -218,10 +218,10 @@ def test_the_strength_is_that_of_others_finite_elements(w):
         ),
         (ball(PLAIN), 1.0, wk.Restitution(0.5), InvalidInput, "a force has no restitution; give Blow"),
         (ball(PLAIN), wk.Blow(1e-3, 1e-3), wk.Restitution(1.0), OutsideValidity, "rebounds with 1 already"),
-        (ball(PLAIN), wk.Blow(1e-3, 1.0), wk.Restitution(1.2), OutsideValidity, "tells no strength: give faster blows"),
+        (ball(PLAIN), wk.Blow(1e-3, 1.0), wk.Restitution(1.2), OutsideValidity, "no strength: give faster blows"),
         (ball(PLAIN), wk.Blow(1e-3, [1.0, 2.0]), wk.Restitution(0.5), InvalidInput, "what they have left \\(\\)"),
         (ball(PLAIN), 1.0, wk.Depth(-1e-4), InvalidInput, "the dent is -0.0001; give positive numbers"),
-        (ball(PLAIN), 1000.0, wk.Radius(1e-4), OutsideValidity, "tells no strength"),
+        (ball(PLAIN), 1000.0, wk.Radius(1e-4), OutsideValidity, "determines no strength"),
         (ball(PLAIN), 1e-3, wk.Radius(4e-3), OutsideValidity, "as soft as a dent of 0.004 m"),
     ],
 )

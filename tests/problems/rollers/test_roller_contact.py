@@ -287,7 +287,7 @@ def test_the_stress_below_a_roller_is_nearly_that_below_a_line_of_its_peak_press
         ({"load": wk.Force(-1.0)}, "give positive forces"),
         ({"load": wk.Depth(-1e-3)}, "do not touch; give more than 0"),
         ({"alignment": wk.Moment(20.0)}, "give less than 19.2 N m"),
-        ({"ends": wk.CrownedEnds(1.0, 10e-3)}, "takes the whole roller"),
+        ({"ends": wk.CrownedEnds(1.0, 10e-3)}, "covers the whole roller"),
         ({"ends": wk.RoundedEnds(5e-3)}, "leave nothing of a roller"),
         ({"elements": 10}, "from 16 to 320"),
     ],

@@ -271,5 +271,5 @@ class TestRocking:
             dataclasses.replace(rocked(0.5), **change)
 
     def test_more_than_friction_bears(self):
-        with pytest.raises(OutsideValidity, match="friction bears"):
+        with pytest.raises(OutsideValidity, match="friction carries"):
             rocked(1.0).solve()

@@ -119,7 +119,7 @@ def test_the_error_without_range_holds_wherever_it_is_stated(tabor, count):
 
 @pytest.mark.parametrize("tabor", [0.3, 0.6, 1.0, 1.5, 1.99])
 def test_pixels_that_do_not_tell_the_limit_without_range_are_refused(tabor):
-    with pytest.raises(OutsideValidity, match=r"on a ball as curved as the map. .* follows from 2 on: take pixels"):
+    with pytest.raises(OutsideValidity, match=r"on a ball as curved as the map. .* follows from 2 on: use pixels"):
         drawn_without_range(tabor, 24).pull_off_without_range()
 
 

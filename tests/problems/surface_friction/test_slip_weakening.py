@@ -208,7 +208,7 @@ SHARP, GENTLE = (wk.LinearSlipWeakening(STATIC, KINETIC, part * FAR) for part in
             wk.Shift(FAR * np.append(np.linspace(0.2, 0.7, 8), np.linspace(0.72, 0.8, 17))),
             r"at index \d+ of the path the slip runs away: friction falls faster than the bodies unload",
         ),
-        (SHARP, wk.Shift(FAR * np.array([0.0, 0.4, 0.8])), r"a jump may pass unseen; take about \d+ times as many"),
+        (SHARP, wk.Shift(FAR * np.array([0.0, 0.4, 0.8])), r"a jump may pass unseen; use about \d+ times as many"),
         (
             GENTLE,
             wk.ShearForce(0.98 * STATIC * FORCE * np.array([0.0, 0.7, 0.9, 1.0])),

@@ -234,7 +234,7 @@ WAVY = wk.RandomTopography([1.0, 1.0], wk.SelfAffine(hurst=0.8, rms_height=0.02,
     ({"topography": wk.Topography([[0.0, np.nan], [1.0, 2.0]], [1.0, 1.0])}, InvalidInput,
      "1 of 4 heights are missing"),
     ({"law": wk.Coulomb(math.inf)}, InvalidInput, "positive, finite coefficient"),
-    ({"twist": wk.Torque(0.9e-5)}, NotConverged, "If friction bears the forces together, take shorter steps"),
+    ({"twist": wk.Torque(0.9e-5)}, NotConverged, "If friction carries the forces together, use shorter steps"),
 ])  # fmt: skip
 def test_what_it_refuses(change, error, sentence):
     stated = {

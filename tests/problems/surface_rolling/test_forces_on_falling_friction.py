@@ -86,5 +86,5 @@ def test_a_force_that_nearly_slides_after_its_opposite():
 
 @pytest.mark.slow
 def test_a_force_and_a_moment_of_which_friction_bears_each_alone():
-    with pytest.raises(NotConverged, match=r"after [24]1 rolls; .* together they may be more than friction bears"):
+    with pytest.raises(NotConverged, match=r"after [24]1 rolls; .* together they may exceed the friction limit"):
         rolled(wk.CreepForce(0.95 * STATIC * NORMAL, 0.0, wk.Torque(100.0)), friction=wk.Coulomb(STATIC))

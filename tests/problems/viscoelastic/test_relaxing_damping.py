@@ -238,7 +238,7 @@ LAYERS = wk.ViscoelasticCoatedHalfSpace([wk.ViscoelasticLayer(STANDARD, 0.2)], w
 BAD = {
     "no frequency": (lambda: damped(ball(STANDARD)), "give the frequency in Hz"),
     "of elastic bodies": (lambda: damped(ball(wk.Elastic(1.0, 0.3)), frequency=2.0), "2 Hz.*leave it out"),
-    "fluid": (lambda: damped(ball(Maxwell(1.0, 1.0)), frequency=1.0), "flows for ever"),
+    "fluid": (lambda: damped(ball(Maxwell(1.0, 1.0)), frequency=1.0), "creeps without limit"),
     "dashpot": (lambda: damped(ball(KelvinVoigt(1.0, 1.0)), frequency=1.0), "dashpot alongside"),
     "rings": (lambda: damped(ball(STANDARD), frequency=1.0, method=wk.Method.RINGS), "the method rings"),
 }

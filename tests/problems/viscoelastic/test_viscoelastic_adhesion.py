@@ -219,7 +219,7 @@ def test_the_law():
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        ({"bed": wk.Foundation(wk.Paraboloid(R), ViscoelasticHalfSpace(Maxwell(1e6, 1.0)))}, "flows for ever"),
+        ({"bed": wk.Foundation(wk.Paraboloid(R), ViscoelasticHalfSpace(Maxwell(1e6, 1.0)))}, "creeps without limit"),
         ({"law": wk.ShortRange(W)}, "AdhesiveCycle"),
         ({"path": Path([0.0, 1.0], Force([1e-3, -1e-3]))}, "Force is prescribed"),
         ({"path": Depth([0.0, 1.0])}, "path is a Depth; give Path"),

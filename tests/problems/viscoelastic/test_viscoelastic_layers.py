@@ -191,7 +191,7 @@ def test_what_is_refused():
     layer = ViscoelasticLayer(FILM, 0.1)
     with pytest.raises(InvalidInput, match="none of layers, on and second is viscoelastic"):
         ViscoelasticCoatedHalfSpace([Layer(BASE, 0.1)], on=BASE)
-    for solid, why in ((Maxwell(1.0, 1.0), "flows for ever"), (KelvinVoigt(1.0, 1.0), "infinite modulus")):
+    for solid, why in ((Maxwell(1.0, 1.0), "creeps without limit"), (KelvinVoigt(1.0, 1.0), "infinite modulus")):
         with pytest.raises(InvalidInput, match=why):
             ViscoelasticCoatedHalfSpace([ViscoelasticLayer(solid, 0.1)], on=BASE)
     coated = bed(ViscoelasticCoatedHalfSpace([layer], on=BASE))

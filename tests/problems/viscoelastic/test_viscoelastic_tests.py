@@ -92,7 +92,7 @@ def test_harmonic_closed_forms():
         (lambda: CreepTest(bed(Maxwell(1.0, 1.0)), -1.0, [1.0]), "force is -1.0"),
         (lambda: CreepTest(bed(Maxwell(1.0, 1.0)), 1.0, [0.0]), "time is"),
         (lambda: RelaxationTest(bed(Maxwell(1.0, 1.0)), 0.0, [1.0]), "depth is 0.0"),
-        (lambda: HarmonicIndentation(bed(Maxwell(1.0, 1.0)), Force(1.0), 1.0), "flows for ever"),
+        (lambda: HarmonicIndentation(bed(Maxwell(1.0, 1.0)), Force(1.0), 1.0), "creeps without limit"),
         (lambda: HarmonicIndentation(bed(Maxwell(1.0, 1.0)), Depth([1.0, 2.0]), 1.0), "one positive number"),
         (lambda: HarmonicIndentation(bed(Maxwell(1.0, 1.0)), Depth(1.0), -1.0), "angular_frequency"),
     ],

@@ -171,7 +171,9 @@ PULLED = dataclasses.replace(
 def test_what_was_reached_before_an_error_is_stored():
     march = solve_march(PULLED)
     assert march.code == OutsideValidity("").exit_code
-    assert march.stopped.startswith("After 3 of 5 points of the path, which are kept, the march ended: Tangential: at")
+    assert march.stopped.startswith(
+        "After 3 of 5 points of the path, which are kept, the calculation ended: Tangential:"
+    )
     assert np.allclose(march.solution.shear_force, [0.0, 5.0, 10.0], rtol=1e-12)
     whole = dataclasses.replace(
         PULLED, path=wk.Path.through(wk.Force(100.0), wk.ShearForce(np.array([0.0, 5.0, 10.0])))
@@ -190,7 +192,7 @@ def test_an_interrupted_march_keeps_what_it_reached():
     study = Study("", RUBBED, sweep=(Axis("problem.law.coefficient", (0.2, 0.3)),))
     points = list(solve_points(study, watch=watch))
     assert [point.code for point in points] == [INTERRUPTED]  # the next point is not begun
-    assert points[0].stopped.endswith("the march ended: it was interrupted.")
+    assert points[0].stopped.endswith("the calculation ended: it was interrupted.")
     assert np.array_equal(points[0].answers["shear_force"], RUBBED.solve().shear_force[:4])
 
 

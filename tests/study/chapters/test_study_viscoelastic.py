@@ -159,7 +159,7 @@ def test_a_march_that_breaks_off_keeps_what_it_reached():
     path = wk.Path([0.0, 0.1, 0.2, 0.2], wk.Depth([0.0, 1e-5, 2e-5, 3e-5]))
     march = solve_march(wk.ViscoelasticIndentation(bed, path, count=40))
     assert march.code == OutsideValidity("").exit_code
-    assert march.stopped.startswith("After 3 of 4 points of the path, which are kept, the march ended: Viscoelastic")
+    assert march.stopped.startswith("After 3 of 4 points of the path, which are kept, the calculation ended: Visco")
     assert march.solution.time.tolist() == [0.0, 0.1, 0.2]
 
 

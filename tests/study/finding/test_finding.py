@@ -38,7 +38,7 @@ def asked_later():
 
 @pytest.mark.few(2)
 @pytest.mark.parametrize(
-    "language, share, least", [("en", 0.98, 776), ("de", 0.98, 183), ("fr", 0.98, 165), ("beyond", 0.96, 194)]
+    "language, share, least", [("en", 0.98, 850), ("de", 0.98, 205), ("fr", 0.98, 189), ("beyond", 0.96, 336)]
 )
 def test_words_that_were_new_when_they_were_asked(language, share, least):
     """Each round was written before the search had seen it, and read by those who then mended the table.
@@ -51,6 +51,10 @@ def test_words_that_were_new_when_they_were_asked(language, share, least):
     with round 11, 62 % of 47, which has no end: what is missing there is shown beside its nearest neighbours.
     Rounds 12 and 13: English 50 of 50 and 28 of 30, German and French 33 of 34 and 27 of 30; of what is not covered
     46 of 60, and, once words that no entry has were named, 44 of 60, two of them with a neighbour far away.
+    Rounds 14 and 15, of the half that had mended nothing (but by the same writer as the mends): English 40 of
+    42, German and French 18 of 19; of what is not covered 67 of 71 named and 69 said (52 and 65 before), with a doubt
+    about 7 of 61 that are covered (10).  On 120 headings of a glossary of mechanical engineering, most of them far
+    away, 100 (76); on 19 titles of forums, which nobody here had written, 14 (17, of which 3 by a doubt now given up).
     The shares below are those of today, of words that have been seen: what a new word meets is nearer to the former.
     """
     asked = [one for one in asked_later() if language == ("beyond" if one[3] == ["beyond"] else one[1])]
@@ -62,6 +66,12 @@ def test_words_that_were_new_when_they_were_asked(language, share, least):
             missed.append(query)
     assert len(asked) >= least
     assert len(missed) <= (1.0 - share) * len(asked), missed
+
+
+def test_what_is_covered_is_seldom_doubted():
+    covered = [query for _, _, query, answers in asked_later() if "beyond" not in answers]
+    doubted = [query for query in covered if find(query).remark]
+    assert len(doubted) <= 0.04 * len(covered), doubted
 
 
 def test_answers_that_are_expected_exist():

@@ -142,7 +142,7 @@ def test_files_in_toml_are_calibrated_indenters_or_studies(tmp_path):
     assert found.done == ("area coefficients 24.5, 1e-07 (SI)", "frame compliance 100 nm/N")
     tip.write_text('[problem]\nkind = "indentation"\n')
     assert not inspect_file(tip).is_read
-    assert "if it is a study, `winkler run`" in inspect_file(tip).reason
+    assert "if it is a study, solve it by `winkler run`" in inspect_file(tip).reason
 
 
 def test_a_list_reads_what_it_can(tmp_path):
@@ -379,7 +379,7 @@ def test_a_force_that_falls_over_the_whole_way_in_is_doubted(tmp_path):
     segment = np.repeat([0.0, 1.0], 400)
     header = "depth [nm], force [nN], segment"
     path = table(tmp_path / "air.csv", header, np.append(way, way[::-1]), drift, segment)
-    assert any("falls over the whole way in, by" in doubt for doubt in inspect_file(path).doubts)
+    assert any("falls during the whole approach, by" in doubt for doubt in inspect_file(path).doubts)
     pressed = drift + np.append(np.maximum(way - 12e3, 0.0), np.maximum(way[::-1] - 12e3, 0.0)) / 10.0
     path = table(tmp_path / "gel.csv", header, np.append(way, way[::-1]), pressed, segment)
     assert not any("whole way in" in doubt for doubt in inspect_file(path).doubts)

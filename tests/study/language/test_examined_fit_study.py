@@ -187,8 +187,8 @@ def test_a_curve_whose_error_would_decide_the_mean_is_named(here):
         return list(further_sentences(dataclasses.replace(outcome, results=(changed, *outcome.results[1:]))))
 
     doubt = (
-        "The error of young is less than a tenth of the others', or unknown, and theirs was taken, as it would decide "
-        "the mean: curve0.csv."
+        "The error of young is less than a tenth of the others', or unknown. It was replaced by theirs, since it would "
+        "decide the mean: curve0.csv."
     )
     assert doubt in said(1e-3)
     assert doubt not in said(0.2)

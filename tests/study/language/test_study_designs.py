@@ -132,8 +132,11 @@ def test_what_is_drawn_is_stated():
         (lambda: Range("problem.load.force", -1.0, 1.0, "log"), "both ends must have one sign, not zero"),
         (lambda: Range("problem.load.force", 1.0, 2.0, "lag"), "did you mean 'log'"),
         (lambda: Range("load.force", 1.0, 2.0), "does not start with 'problem.'"),
-        (lambda: Study("x", PROBLEM, sweep=(FORCE,)), "is drawn from a range, but a crossed design takes values"),
-        (lambda: Study("x", PROBLEM, sweep=(FORCE,), design=Zipped()), "but a zipped design takes values in turn"),
+        (
+            lambda: Study("x", PROBLEM, sweep=(FORCE,)),
+            "is drawn from a range, but a crossed design needs a list of values",
+        ),
+        (lambda: Study("x", PROBLEM, sweep=(FORCE,), design=Zipped()), "but a zipped design needs a list of values"),
         (lambda: Study("x", PROBLEM, design=Sobol(4)), "the design sobol has no keys"),
     ],
 )

@@ -276,7 +276,7 @@ def test_a_function_is_checked(tmp_path):
         ("tolerance = 1e-12\n", "", "spin.toml: expect needs tolerance; add it."),
         ("[[expect]]", "[expect]", "expect is no list of tables; write it with two brackets, as [[expect]]."),
         ('grade = "published table"', "", "a case needs grade"),
-        ("title =", "titel =", "titel is not known (did you mean 'title'?); a case with [function] takes"),
+        ("title =", "titel =", "titel is not known (did you mean 'title'?); a case with [function] has"),
     ],
 )
 def test_wrong_functions_are_refused(tmp_path, old, new, sentence):

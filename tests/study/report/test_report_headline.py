@@ -135,7 +135,7 @@ def test_the_stresses_of_a_creep_test_follow_from_its_history():
 def test_a_strip_by_its_own_pressure_is_that_of_hertz():
     bed = wk.LineFoundation(wk.Paraboloid(RADIUS), wk.HalfSpace(wk.Elastic(210e9, 0.3)))
     contact = wk.LineIndentation(bed, wk.LineForce(1e5)).solve()
-    state = _pressed_strip(SimpleNamespace(each=[contact], answers={}))
+    state = _pressed_strip(SimpleNamespace(each=[contact], problem=contact.problem))
     closed = wk.ContactStress(contact.problem).solve()
     assert state.von_mises == pytest.approx(closed.von_mises, rel=2e-5)
     assert state.shears[0].value == pytest.approx(closed.max_shear, rel=2e-5)

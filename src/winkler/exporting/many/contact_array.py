@@ -132,7 +132,7 @@ class ContactArray(ContactStore):
         entries = self._laws.loop.entries
         for word, content in given.items():
             if content is not None and word not in entries:
-                raise InvalidInput(f"ContactArray: this law takes no {word}; give {', '.join(entries)}.")
+                raise InvalidInput(f"ContactArray: this law has no input {word}; give {', '.join(entries)}.")
         if "duration" in entries and duration is None:
             raise InvalidInput("ContactArray: this law needs the duration of the step; give it in s, 0 if sudden.")
         columns = [checked_entry(word, 0.0 if given[word] is None else given[word], self.size) for word in entries]

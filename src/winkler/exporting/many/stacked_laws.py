@@ -127,7 +127,7 @@ def stacked_laws(law: Any, *, tolerance: float, count: int) -> StackedLaws:
         return StackedLaws(law_of(one, tolerance=tolerance, count=count), (ball_rows(law),), law.depth.size)
     problems = law if isinstance(law, Sequence) else (law,)
     if not problems:
-        raise InvalidInput("ContactArray: no law is given; give a problem that `export` takes, or a list of them.")
+        raise InvalidInput("ContactArray: no law is given; give a problem that `export` supports, or a list of them.")
     laws = [law_of(problem, tolerance=tolerance, count=count) for problem in problems]
     forms = [_form(one) for one in laws]
     for place, form in enumerate(forms):

@@ -35,15 +35,15 @@ def dem_engine_law(law: StepLaw, name: str) -> dict[str, str]:
     unknown = [one.name for one in law.motion if one.name not in MOTIONS]
     if unknown:
         raise InvalidInput(
-            f"export: for DEM-Engine laws without friction are written, this one takes {unknown[0]}; export it to c, "
+            f"export: laws for DEM-Engine have no friction, but this one needs {unknown[0]}; export it to c, "
             "or the problem without friction."
         )
     kept = [(part, k) for part in law.state if part.meaning != "work space" for k in range(part.begin.size)]
     words = _words(kept, name)
     if len(words) > MOST_REMEMBERED:
         raise InvalidInput(
-            f"export: the law remembers {len(words)} single numbers a contact, DEM-Engine keeps {MOST_REMEMBERED}; "
-            "give fewer springs (count), or a law with less memory."
+            f"export: the law stores {len(words)} single-precision values per contact, DEM-Engine at most "
+            f"{MOST_REMEMBERED}; give fewer springs (count), or a law with less memory."
         )
     model = f'static_assert({name}_export == 0x{MARK}, "both files must be of one export");\n{_model(law, name, kept)}'
     return marked({f"{name}_prerequisites.cu": _prerequisites(law, name, words), f"{name}_model.cu": model})

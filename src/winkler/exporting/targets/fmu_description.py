@@ -33,7 +33,7 @@ def _whole(one: StepNumber) -> str:
     """Return what an input means that is no change."""
     if not one.changes:
         return one.meaning
-    return f"since the beginning; the law takes by how much it changes in a step ({one.name})"
+    return f"since the beginning; the law needs its change in a step ({one.name})"
 
 
 def unit_guid(content: str) -> str:

@@ -87,7 +87,7 @@ class Expressions:
         if node.id in self.types:
             return Typed(self.types[node.id], "name", node.id)
         if node.id not in self.source.names:
-            raise self.source.refused(node, f"{node.id} is not known here")
+            raise self.source.refused(node, f"{node.id} is not defined")
         return self._global(node, node.id, self.source.names[node.id])
 
     def _global(self, node: ast.expr, name: str, found: Any) -> Typed:

@@ -77,7 +77,7 @@ def source_of(kernel: Translatable) -> KernelSource:
         lines, first = inspect.getsourcelines(function)
     except OSError:
         raise InvalidInput(
-            f"translate: the source of {function.__name__} is not at hand; a kernel stands in a file."
+            f"translate: the source of {function.__name__} was not found; a kernel must be defined in a file."
         ) from None
     tree = ast.parse(textwrap.dedent("".join(lines)))
     ast.increment_lineno(tree, first - 1)

@@ -227,7 +227,8 @@ class MeasuredConstriction:
         sizes = np.linalg.svd(found.jac / np.linalg.norm(found.jac, axis=0), compute_uv=False)
         if not sizes[-1] > LEAST_SHARE * sizes[0]:
             raise OutsideValidity(
-                "MeasuredConstriction: over these forces a film and leads change the resistance alike, as under a flat "
+                "MeasuredConstriction: over these forces a film and leads change the resistance equally, as under a "
+                "flat "
                 "punch, whose area is the same under each force; give a wider range of forces, or a round body."
             )
         numbers, errors = np.array([known, 0.0, 0.0]), np.zeros(3)

@@ -169,7 +169,7 @@ def _best_fit(
     most = min(MOST_TERMS, readings.force.size - 2)
     if terms > readings.force.size - 1:
         raise InvalidInput(
-            f"calibrate_indenter: {terms} coefficients and the frame from {readings.force.size} unloadings; take fewer."
+            f"calibrate_indenter: {terms} coefficients and the frame from {readings.force.size} unloadings; use fewer."
         )
     fit = fitted_area(readings, [terms] if terms else range(1, most + 1), shape_factor, known)
     return _with_references(fit, readings, references, solid, shape_factor)

@@ -151,7 +151,7 @@ def twist_below(twisted: Twisted, r: Array, z: Array, modulus: float, stretch: f
     """
     r, z = np.broadcast_arrays(np.asarray(r, dtype=float), np.asarray(z, dtype=float))
     if np.any(z <= 0.0) or np.any(r < 0.0):
-        raise InvalidInput("twist_below: r must not be negative and z positive; take the surface's own fields there.")
+        raise InvalidInput("twist_below: r must not be negative and z positive; use the surface's own fields there.")
     if twisted.radius == 0.0 or r.size == 0:
         return TwistBelow(*np.zeros((3, *r.shape)))
     flat_r, flat_z = r.ravel(), z.ravel() * stretch

@@ -77,7 +77,7 @@ def refuse_unbounded(owner: str, solids: Iterable[Any]) -> None:
             continue
         series = solid.series
         if series.relaxed == 0.0 or math.isinf(series.glassy):
-            what = "flows for ever" if series.relaxed == 0.0 else "resists a step with an infinite modulus"
+            what = "creeps without limit" if series.relaxed == 0.0 else "resists a step with an infinite modulus"
             raise InvalidInput(
                 f"{owner}: a {type(solid).__name__} {what}; give a solid with a positive relaxed modulus and without a "
                 "dashpot alongside, such as StandardSolid or Prony."

@@ -110,7 +110,7 @@ def turning_on(medium: Medium, twisted: Twisted, r: Array) -> Array:
     """
     if not isinstance(medium, HomogeneousMedium):
         raise OutsideValidity(
-            f"The displacement of the surface around the axis is not known on a {type(medium).__name__}; request the "
-            "traction of the state, state.traction(r), or give a homogeneous half-space."
+            f"The displacement of the surface around the axis is not implemented for a {type(medium).__name__}; "
+            "request the traction of the state, state.traction(r), or give a homogeneous half-space."
         )
     return twist_displacement(twisted, r, medium.torsional_modulus)

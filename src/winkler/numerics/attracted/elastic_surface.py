@@ -135,7 +135,7 @@ def _made(shape: tuple[int, int], aspect: float, periodic: bool, layers: Surface
         i, j = (np.minimum(np.arange(n), n - np.arange(n)) for n in torus)
         compliance = scipy.fft.rfft2(quarter[np.ix_(i, j)]).real
         if float(np.min(compliance)) <= 0.0:
-            raise OutsideValidity("the pixels are too coarse for the layers below; take finer ones")
+            raise OutsideValidity("the pixels are too coarse for the layers below; use finer ones")
         stiffness = 1.0 / compliance
     workers = cores() if torus[0] * torus[1] > SINGLE_THREAD_PIXELS else 1
     single = stiffness.astype(np.float32), compliance.astype(np.float32)

@@ -113,4 +113,4 @@ def _stage(system: StiffSystem, base: Array, near: Array, inner: float) -> Array
             if tried[-1][0] <= SUFFICIENT_REDUCTION * misfit:
                 break
         misfit, rates, there = min(tried, key=lambda m: m[0])
-    raise NotConverged(f"An implicit step of length {inner / GAMMA:.3g} is not met; take a shorter one.")
+    raise NotConverged(f"An implicit step of length {inner / GAMMA:.3g} is not met; use a shorter one.")

@@ -102,8 +102,8 @@ def integrate_to_stop(
     def scaled(time: float, state: Array) -> list[float]:
         if next(calls) > MOST_RATES:
             raise NotConverged(
-                f"The march has come to {time * unit:.6g} s and hardly moves on: stiffness, velocities or friction "
-                "differ by too many orders of magnitude; leave out what hardly counts."
+                f"The integration has reached {time * unit:.6g} s and hardly advances: stiffness, velocities or "
+                "friction differ by too many orders of magnitude; leave out what hardly counts."
             )
         return [unit * rate for rate in rates(time * unit, state)]
 
@@ -118,7 +118,7 @@ def integrate_to_stop(
         events=[_event(stop, unit) for stop in stops],
     )
     if solution.status < 0:
-        raise NotConverged(f"At {solution.t[-1] * unit:.6g} s the march came to a halt: {solution.message}")
+        raise NotConverged(f"At {solution.t[-1] * unit:.6g} s the integration stopped: {solution.message}")
     stopped = tuple(bool(times.size) for times in solution.t_events) if stops else ()
     times = solution.t * unit
     times[0] = span[0]

@@ -95,7 +95,7 @@ def invert(
     worst = float(np.max(np.abs(function(x)[0] / target - 1.0)))
     if worst < 1e-12:
         return x
-    raise NotConverged(f"No contact radius bears the load: after {MOST_ITERATIONS} steps the misfit is {worst:.1e}.")
+    raise NotConverged(f"No contact radius carries the load: after {MOST_ITERATIONS} steps the misfit is {worst:.1e}.")
 
 
 def by_blocks(function: Callable[..., Array], *numbers: Array) -> Array:

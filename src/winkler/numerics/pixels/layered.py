@@ -137,7 +137,7 @@ class LayeredSurface(NamedTuple):
             raise OutsideValidity(
                 f"pixels of {max(pixel) / self.unit / self.response.length:.3g} times the thickness of the uppermost "
                 f"layer are too coarse. Under a wave of {TESTED_WAVE:.0f} of them the displacement would be wrong by "
-                f"{lost:.0%}, since a nearly incompressible film only yields between pixels: take pixels as small as "
+                f"{lost:.0%}, since a nearly incompressible film only yields between pixels: use pixels as small as "
                 "the film is thick, or a periodic map."
             )
 

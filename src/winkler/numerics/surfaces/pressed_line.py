@@ -197,7 +197,7 @@ def _pressed(
             return PressedLine(p, gap, tilt, max(0.0, -float(np.min(gap))) / span, work, count)
         active = (active & ~pulls) | overlaps
     raise NotConverged(
-        f"the elements in contact still change after {MOST_ROUNDS} rounds on {x.size} places; take more or fewer "
+        f"the elements in contact still change after {MOST_ROUNDS} rounds on {x.size} places; use more or fewer "
         "elements."
     )
 
@@ -255,5 +255,5 @@ def _solved(grid: _LogKernel, active: Array, right: Array, start: Array) -> Arra
         r -= step[:, None] * pushed
         before = np.where(level > 0.0, level, 1.0)
     raise NotConverged(
-        f"the pressures of {int(np.sum(active))} elements in contact were not found; take fewer elements."
+        f"the pressures of {int(np.sum(active))} elements in contact were not found; use fewer elements."
     )

@@ -162,8 +162,8 @@ def shear(
         traction = within(traction * onto, bound)
     raise NotConverged(
         f"the contact of {int(np.count_nonzero(inside))} pixels slips with an error of {misfit:.3g} of the energy, and "
-        f"given forces lack {missing:.3g} of what friction bears, after {MOST_ROUNDS} rounds; allowed are "
-        f"{tolerance:.3g} and {FORCE_TOLERANCE:.0e}. If friction bears the forces together, take shorter steps"
+        f"given forces lack {missing:.3g} of the friction limit, after {MOST_ROUNDS} rounds; allowed are "
+        f"{tolerance:.3g} and {FORCE_TOLERANCE:.0e}. If friction carries the forces together, use shorter steps"
     )
 
 

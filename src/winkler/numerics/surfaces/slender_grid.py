@@ -117,7 +117,7 @@ class SlenderGrid(NamedTuple):
             return cls(edges, across, rows, waves, np.linalg.inv(np.linalg.cholesky(block)))
         except np.linalg.LinAlgError:
             raise NotConverged(
-                "the elements do not resolve the layers below them; take more elements, or a thicker layer."
+                "the elements do not resolve the layers below them; use more elements, or a thicker layer."
             ) from None
 
     @property

@@ -62,7 +62,7 @@ def _curve_over_force(item: Any) -> Any:
         except WinklerError:
             continue
     raise OutsideValidity(
-        "draw: no curve of forces can be solved around this contact; solve for one load and use its numbers."
+        "draw: no curve of forces can be solved around this contact; solve for one load and use its results."
     )
 
 

@@ -64,7 +64,8 @@ def heating_sheet(item: FrictionHeatingSolution) -> Sheet:
     if np.ndim(item.heat_rate) != 0:
         return curves_sheet(item, item.stationary_temperature, "both at rest")
     heat_text = (
-        f"   heat {with_unit(float(item.heat_rate), 'W')}   first body takes {with_unit(float(item.first_share), '')}"
+        f"   heat {with_unit(float(item.heat_rate), 'W')}   first body conducts "
+        f"{with_unit(float(item.first_share), '')}"
     )
     fastest = with_unit(float(max(item.first_peclet, item.second_peclet)), "", 3)
     flash = with_unit(float(item.flash_temperature), "K")
@@ -214,7 +215,7 @@ def fretting_heat_sheet(item: FrettingHeatSolution) -> Sheet:
     is_heated = (
         Line(r, rise.content),
         Rule(a, upright=True, width=0.9, dash=style.DOTTED),
-        note(f"swings by about ±{with_unit(item.swing, 'K', 2)}"),
+        note(f"oscillates by about ±{with_unit(item.swing, 'K', 2)}"),
     )
     right = Panel(is_heated, PanelAxis.of(along), PanelAxis("mean rise of temperature", rise.scale, low=0.0))
     title = f"{with_unit(item.loss_per_cycle, 'J')} in every cycle, {with_unit(item.heat_rate, 'W')}"

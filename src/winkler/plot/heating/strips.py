@@ -35,7 +35,7 @@ def strip_heating_sheet(item: StripSolution) -> Sheet:
     )
     flash, heat = with_unit(float(item.flash_temperature), "K"), with_unit(float(item.heat_per_length), "W/m")
     share = with_unit(float(item.first_share), "")
-    title = f"$T_\\mathrm{{flash}}$ = {flash}   heat {heat}   first body takes {share}"
+    title = f"$T_\\mathrm{{flash}}$ = {flash}   heat {heat}   first body conducts {share}"
     return Sheet(panels, width=4.6, height=3.2, title=title)
 
 

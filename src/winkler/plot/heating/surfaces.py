@@ -63,7 +63,7 @@ def surface_friction_heating_sheet(item: SurfaceFrictionHeatingSolution) -> Shee
         curve = models_panel(row_of(item, "heat_rate"), curves, label="temperature")
         panels = (*panels, curve.plus(title="all creepages"))
     state = item.last
-    share = f"first body takes {100.0 * state.first_share:.3g} %"
+    share = f"first body conducts {100.0 * state.first_share:.3g} %"
     hottest = with_unit(state.max_temperature, "K")
     title = f"$T_\\mathrm{{max}}$ = {hottest}   heat {with_unit(state.heat_rate, 'W')}   {share}"
     return Sheet(panels, len(panels) if len(panels) <= IN_A_ROW else 2, width=4.4, height=3.4, title=title)

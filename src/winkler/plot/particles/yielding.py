@@ -79,7 +79,7 @@ def dent_limit_sheet(item: DentLimitSolution) -> Sheet:
 @without_extent(StrengthFromDentSolution)
 def dent_strength_sheet(item: StrengthFromDentSolution) -> Sheet:
     """Return the contact of a body with the strength that was found, and its dent."""
-    tells = "these loads tell" if np.size(item.problem._sizes) > 1 else "this dent tells"
+    tells = "these loads give" if np.size(item.problem._sizes) > 1 else "this dent gives"
     title = f"{tells} a strength of {with_unit(item.strength, 'Pa')}"
     return dataclasses.replace(plastic_sheet(item.released), title=title)
 

@@ -46,7 +46,7 @@ def surface_rolling_sheet(item: SurfaceRollingSolution) -> Sheet:
     """Return stick and slip with arrows and the size of the traction under the last creepage, and the creep curve."""
     more = [(_creep_panel(item), "creep force")] if np.size(item.force) >= FEWEST_POINTS else []
     drag = with_unit(float(np.ravel(item.shear_force)[-1]), "N")
-    return _beside_maps(item, more, f"{with_unit(item.last.force, 'N')}, drags by {drag}")
+    return _beside_maps(item, more, f"{with_unit(item.last.force, 'N')}, shear force {drag}")
 
 
 @without_extent(SurfaceRollingStartSolution)

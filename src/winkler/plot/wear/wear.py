@@ -57,7 +57,7 @@ def fretting_sheet(item: FrettingSolution | LineFrettingSolution) -> Sheet:
         over_elapsed(cycles, [series_of(item, last)]),
     )
     above = state_panels(item.states, names, "cycles")
-    return Sheet((*above, *titled(below, "contact and core", "worn volume", title)), 3, width=3.9)
+    return Sheet((*above, *titled(below, "contact and stick zone", "worn volume", title)), 3, width=3.9)
 
 
 @without_extent(SlidingSolution, LineSlidingSolution)
@@ -148,7 +148,7 @@ def limit_sheet(
         rows_panel("worn", [Line(r, worn, style.RED, name="worn off")], kind),
         rows_panel("pressure", list(pressures), kind, most=PRESSURE_CEILING * unworn.mean_pressure),
     )
-    rim = Rule(core, upright=True, width=0.9, dash=style.DOTTED, name="core")
+    rim = Rule(core, upright=True, width=0.9, dash=style.DOTTED, name="stick zone")
     title = f"$c$ = {with_unit(core, 'm')}   $a_\\infty$ = {with_unit(radius, 'm')}   {lost}"
     drawn = titled((panel.plus(rim, legend="best") for panel in panels), "profile", "worn depth", "pressure")
     return Sheet(drawn, width=3.9, title=title)

@@ -135,7 +135,7 @@ class ConductanceBounds:
         beyond = self._beyond(above, a0)
         if not rises(bed, beyond):
             raise OutsideValidity(
-                "ConductanceBounds: the force curve of this body is not known to be convex, since its contact does not "
+                "ConductanceBounds: the force curve of this body need not be convex, since its contact does not "
                 "grow as one disc; give a smooth body that does."
             )
         # under a flat end both are searched at depth zero, where the chord from first touch is met

@@ -141,7 +141,7 @@ def _refuse(bed: Bed, conductors: ElectricalConductors | HeatConductors) -> None
     if not plain(conductors):
         raise OutsideValidity(
             "restore_conduction: with a film, a plating or a rod the field is not that of a plain disc, and is not "
-            "known here; give thick bodies of one conductor that touch without a film."
+            "implemented; give thick bodies of one conductor that touch without a film."
         )
     refuse_unless_round(bed, "restore_conduction", "the field")
 

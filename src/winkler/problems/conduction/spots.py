@@ -91,7 +91,7 @@ class SpotCluster:
             )
         if self.radii.size > EXPANSION_DEGREES[-1][0]:
             raise InvalidInput(
-                f"SpotCluster: {self.radii.size} spots are too many; give at most {EXPANSION_DEGREES[-1][0]}, or take "
+                f"SpotCluster: {self.radii.size} spots are too many; give at most {EXPANSION_DEGREES[-1][0]}, or use "
                 "groups of them for spots of their Holm radius."
             )
         spacing = self._spacing

@@ -161,7 +161,7 @@ class ThermalConstrictionSolution(ConductingSolution["ThermalConstrictionSolutio
         bodies = self.problem.conductors.first, self.problem.conductors.second
         rates = [part.diffusivity for body in bodies for part in parts_of(body) if isinstance(part, ThermalConductor)]
         settling = 10.0 * float(np.max(self.radius, initial=0.0)) ** 2 / min(rates)
-        known = f"{settling:.3g} s" if max(rates) < math.inf else "a time not known here"
+        known = f"{settling:.3g} s" if max(rates) < math.inf else "an unknown time"
         steady = Note(
             Assumption.STEADY,
             Standing.ASYMPTOTIC,

@@ -321,7 +321,7 @@ class BimodalDampingSolution(DampingSolution[Q]):
         Part of the dissipated energy that is due to the normal motion alone in viscoelastic bodies [J].
     """
 
-    __words__ = words(pressing_loss=("W_d", "J", "what of the loss of a cycle the depth alone costs"))
+    __words__ = words(pressing_loss=("W_d", "J", "energy per cycle that the depth alone would dissipate"))
 
     problem: BimodalDamping[Q]
     pressing_loss: float

@@ -64,7 +64,7 @@ class SpringState(RoundNormal[float]):
     """
 
     __words__ = words(
-        springs=("", None, "the row of springs"),
+        springs=("", None, "springs of the one-dimensional foundation"),
         displacement=("u_t", "m", "displacement of every spring along the surface"),
         work=("W", "J", "what the lateral motion has spent since the beginning"),
     )

@@ -262,7 +262,7 @@ def _no_room(stack: SlipStack) -> None:
 
 
 def _refused(force: float, most: float) -> None:
-    raise OutsideValidity("friction does not bear it")
+    raise OutsideValidity("friction does not carry it")
 
 
 def _missed(target: float, short: float) -> None:

@@ -78,14 +78,14 @@ def _refuse_pair(problem: RubbingBodies | RubbingPlatedBodies, bodies: tuple[Hea
     if interface.area_resistance > 0.0:
         raise InvalidInput(
             f"{owner}: the surfaces have an interface_conductance of {interface.interface_conductance:g} "
-            "W/(m^2 K), but sliding surfaces are taken to have one temperature; leave the interface out."
+            "W/(m^2 K), but sliding surfaces are assumed to have one temperature; leave the interface out."
         )
     for word, body in zip(("first", "second"), bodies, strict=True):
         rests = not np.any(np.asarray(getattr(problem, f"{word}_speed", math.nan)))
         if not rests and max(diffusivities(body)) == math.inf:
             raise InvalidInput(
-                f"{owner}: the diffusivity of the {word} body is infinite, or not given, but the heat it takes depends "
-                "on it; give a diffusivity in m^2/s."
+                f"{owner}: the diffusivity of the {word} body is infinite, or not given, but the heat that flows "
+                "into it depends on it; give a diffusivity in m^2/s."
             )
 
 

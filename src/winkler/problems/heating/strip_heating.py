@@ -52,7 +52,7 @@ class StripHeating(RubbingPlatedBodies, PerLoad[Q]):
             if alone != share and np.any(np.asarray(speed) == 0.0):
                 raise InvalidInput(
                     f"{owner}: {word}_speed is zero, but a body that rests against an endless band of heat has no "
-                    f"steady temperature; give a speed, or FixedShare({share}) if it takes no heat."
+                    f"steady temperature; give a speed, or FixedShare({share}) if no heat flows into it."
                 )
 
     def _shared(self, heated: HeatedLine, speeds: list[Array]) -> SharedHeat:

@@ -55,7 +55,7 @@ def approach(
     """
     medium = bed.medium
     if not isinstance(medium, HalfSpace):
-        raise OutsideValidity("The approach of a line contact is known on isotropic bodies only: give a HalfSpace.")
+        raise OutsideValidity("The approach of a line contact needs isotropic bodies: give a HalfSpace.")
     total = 0.0
     for body, place, name in ((medium.first, first, "first"), (medium.second, second, "second")):
         if not isinstance(body, Elastic):

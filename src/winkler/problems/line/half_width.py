@@ -146,7 +146,7 @@ def _most(bed: LineBed, level: Level, end: float) -> float:
     if not np.isfinite(last):
         if not _is_vertical(bed, end):
             raise NotConverged(
-                f"what the profile bears at its end, {end:.6g} m, does not settle; state its kinks, or end it before."
+                f"what the profile carries at its end, {end:.6g} m, does not settle; state its kinks, or end it before."
             )
         last = _before_vertical(level, end)
     if bed.profile.rising:
@@ -169,7 +169,7 @@ def _before_vertical(level: Level, end: float) -> float:
             break
     if len(found) < len(VERTICAL) - 1:
         raise NotConverged(
-            f"what the profile bears close to its end, {end:.6g} m, does not settle; state its kinks, or end it before."
+            f"the load near the end of the profile, {end:.6g} m, does not settle; state its kinks, or end it before."
         )
     growth = np.diff(found)
     return np.inf if growth[-1] > LOGARITHMIC * growth[-2] else found[-1]
@@ -302,7 +302,7 @@ def _refuse_unless_strip(bed: LineBed, half_width: float, beside: float) -> None
     if np.min(pressure) < -ROUNDING * np.max(np.abs(pressure)):
         raise OutsideValidity(
             f"A strip of the half-width {half_width:.6g} m would pull at {inside[np.argmin(pressure)]:.6g} m: the "
-            "contact has parted into several; press harder, give a smoother profile, or take LineProfileContact."
+            "contact has parted into several; press harder, give a smoother profile, or use LineProfileContact."
         )
     outside, opened = bed.gaps(half_width, min(bed.reach, bed.rim, beside * half_width))
     if np.min(opened) < -ROUNDING * np.max(np.abs(opened)):

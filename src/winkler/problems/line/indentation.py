@@ -243,7 +243,7 @@ class PowerLawLineSolution(LineSolution[Q]):
         """
         if first is not None or second is not None:
             raise OutsideValidity(
-                "How far points inside a GradedHalfSpace move is not known to winkler; leave both out: the approach is "
+                "Displacements inside a GradedHalfSpace are not implemented; leave both out: the approach is "
                 "counted from places far away."
             )
         bed = cast(PowerLawLineFoundation, self.problem.bed)

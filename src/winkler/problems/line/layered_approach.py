@@ -120,7 +120,7 @@ def _second_depth(medium: PlaneMedium, place: float | Reference | None, half_wid
     body = medium.second
     if not isinstance(body, Elastic):
         raise OutsideValidity(
-            "How far points inside a transversely isotropic second body move is not known to winkler; give an Elastic "
+            "Displacements inside a transversely isotropic second body are not implemented; give an Elastic "
             "or a Rigid one."
         )
     depth = depth_of(place, "second", half_width)

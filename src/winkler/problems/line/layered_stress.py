@@ -168,7 +168,7 @@ def _isotropic(body: Body, below: bool) -> float:
         raise rigid_body(below)
     if not isinstance(body, Elastic):
         raise OutsideValidity(
-            "The stresses inside a transversely isotropic uppermost layer or second body are not known to winkler; "
+            "The stresses inside a transversely isotropic uppermost layer or second body are not implemented; "
             "request places in the layers below it."
         )
     return body.poisson

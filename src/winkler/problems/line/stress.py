@@ -124,7 +124,7 @@ def poisson_of(medium: object, below: bool) -> float:
     """Return Poisson's ratio of the first body (`below`) or the second; refuse one without stresses."""
     if offers(medium, PowerOfDepth):
         raise OutsideValidity(
-            "The stresses inside a GradedHalfSpace are not known to winkler; request the surface, or sample the "
+            "The stresses inside a GradedHalfSpace are not implemented; request the surface, or sample the "
             "grading by the layers of a CoatedHalfSpace."
         )
     body = getattr(medium, "first" if below else "second", None) if isinstance(medium, HalfSpace) else None

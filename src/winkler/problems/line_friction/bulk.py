@@ -39,8 +39,8 @@ def refuse_bulk(bed: LineBed, path: LinePath) -> None:
     """
     if np.any(path.bulk_stress) and bed.strain_per_stress == 0.0:
         raise InvalidInput(
-            "LineTangential: the first body is rigid and bears no bulk stress; give the elastic body first, or layers "
-            "on an elastic one."
+            "LineTangential: the first body is rigid and carries no bulk stress; give the elastic body first, or "
+            "layers on an elastic one."
         )
 
 

@@ -266,7 +266,7 @@ class ElementRow(Row[LineGoal, LineCells]):
         if self.strained and force > 0.0 and not near and stuck < LEAST_STUCK * 2.0 * half_width:
             raise OutsideValidity(
                 f"the bulk stress, of {goal.bulk:.6g} Pa there, makes all of the contact slip outwards or inwards "
-                "on the way but for less than a hundredth of it; give a smaller one."
+                "during the step but for less than a hundredth of it; give a smaller one."
             )
         return reached
 

@@ -360,7 +360,7 @@ def refuse_timeless(bed: LineFoundation | LayeredLineFoundation, path: LinePath,
     first = medium.first if isinstance(medium, ViscoelasticHalfSpace) else elastic_line(bed).strained
     if np.any(path.bulk_stress) and isinstance(first, Rigid):
         raise InvalidInput(
-            "LineTangential: the first body is rigid and bears no bulk stress; give the other one first."
+            "LineTangential: the first body is rigid and carries no bulk stress; give the other one first."
         )
 
 

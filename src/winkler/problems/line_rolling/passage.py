@@ -179,7 +179,7 @@ def _strip(medium: RelaxingMedium, radius: float, half_width: float, speed: floa
         raise OutsideValidity(
             f"LineRollingResistance: at {speed:.6g} m/s, half of the contact passes in {half_width / speed:.3g} s; "
             "layers relax so much faster, liquid leaves them so much more slowly, or they are so much thinner, that "
-            "the edge is not resolved: take a speed nearer to that of the greatest resistance, or press less."
+            "the edge is not resolved: use a speed nearer to that of the greatest resistance, or press less."
         )
     first, second = strip.waves(2).tolist()
     found = Passage(half_width, strip.middle * half_width, half_width / radius, strip, first, second, radius, 0.0)
@@ -187,7 +187,7 @@ def _strip(medium: RelaxingMedium, radius: float, half_width: float, speed: floa
     if np.min(pressure) < -PULL * np.max(pressure):
         raise OutsideValidity(
             f"LineRollingResistance: at {speed:.6g} m/s the layers are pulled inside the strip, so that the contact is "
-            "no single one; press less, or take softer or thicker layers."
+            "no single one; press less, or use softer or thicker layers."
         )
     return found
 

@@ -107,7 +107,7 @@ class LineRollingResistance(PerLoad[Q]):
                 "not resist rolling."
             )
         if medium.in_proportion and (medium.creep.fluidity > 0.0 or medium.creep.glassy == 0.0):
-            which = "flows for ever" if medium.creep.fluidity > 0.0 else "resists a step of strain without bound"
+            which = "creeps without limit" if medium.creep.fluidity > 0.0 else "resists a step of strain without bound"
             raise InvalidInput(
                 f"LineRollingResistance: the solid {which}; give one with a relaxed and a glassy modulus, such as "
                 "StandardSolid or Prony."

@@ -225,7 +225,7 @@ class LineRollingStart:
         if not steps <= MOST_STEPS:
             raise OutsideValidity(
                 f"LineRollingStart: a travel of {self.distance:.6g} m is so long beside the half-width of "
-                f"{half_width:.6g} m that it takes more than {MOST_STEPS} steps; after a few widths it is steady: give "
+                f"{half_width:.6g} m that it needs more than {MOST_STEPS} steps; after a few widths it is steady: give "
                 "a shorter one, or use LineRolling."
             )
         if math.isfinite(self.reference) and self.reference < NEAREST_REFERENCE * half_width:

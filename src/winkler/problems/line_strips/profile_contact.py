@@ -88,7 +88,7 @@ class LineProfileContact(PerLoad[Q]):
     )
 
     section: AnySection
-    medium: Annotated[LineMedium, Advice("strips are known on no other")]
+    medium: Annotated[LineMedium, Advice("strips are not implemented for others")]
     load: LineForce[Q]
     alignment: Tilt | LineOfAction = STRAIGHT
     elements: Annotated[int, Whole(64, 20000, "elements")] = 2048

@@ -49,7 +49,7 @@ class LineForcePath:
 
     __words__ = words(
         count=("n", None, "parts into which each step is divided"),
-        cycles=("n", None, "how many times the row is followed"),
+        cycles=("n", None, "how many times the path is repeated"),
         moments=("t", "s", "time of every point"),
         across=("P", "N/m", "normal force per length at every point"),
     )

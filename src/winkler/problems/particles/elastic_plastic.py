@@ -119,7 +119,7 @@ class ElasticPlasticParticle:
         if isinstance(self.solid, Hardening):
             raise InvalidInput(
                 f"{owner}: the solid is a {type(self.solid).__name__}; the law of particles is that of a metal which "
-                "does not harden: give Elastic(young, poisson, strength), or take PlasticIndentation."
+                "does not harden: give Elastic(young, poisson, strength), or use PlasticIndentation."
             )
         if self._levels.ndim != 1:
             raise InvalidInput(

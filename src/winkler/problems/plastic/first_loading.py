@@ -508,8 +508,8 @@ def refuse_strengths(owner: str, medium: object, poisson: tuple[float, float]) -
             )
         if not poisson[0] <= solid.poisson <= poisson[1]:
             raise InvalidInput(
-                f"{owner}: Poisson's ratio of the {part.name} is {solid.poisson:g}; how such a body yields is not "
-                f"known here: give one from {poisson[0]:g} to {poisson[1]:g}."
+                f"{owner}: Poisson's ratio of the {part.name} is {solid.poisson:g}; yielding of such a body is not "
+                f"implemented: give one from {poisson[0]:g} to {poisson[1]:g}."
             )
 
 

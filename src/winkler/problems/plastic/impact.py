@@ -246,7 +246,7 @@ class PlasticImpactSolution(PerLoad[Q]):
     """
 
     __words__ = words(
-        friction_loss=("W_f", "J", "energy that friction has taken"),
+        friction_loss=("W_f", "J", "energy dissipated by friction"),
         impulse_ratio=("f", "", "impulse along the surface over the normal one"),
         energy=("U", "J", "energy that the bodies give back"),
         largest_radius=("a_m", "m", "contact radius at the moment of rest, that of the dent"),

@@ -277,11 +277,11 @@ class StrengthFromDent:
             raise OutsideValidity(
                 f"StrengthFromDent: a first body with a strength of a fiftieth of its Young's modulus, {high:.4g} Pa, "
                 + (
-                    f"rebounds with {least:.6g} already; a restitution of {shown} tells no strength: give faster "
+                    f"rebounds with {least:.6g} already; a restitution of {shown} determines no strength: give faster "
                     "blows, or check mass, moduli and units."
                     if rebounds
-                    else f"has a dent or a contact of {least:.6g} m already under this load; a {what} of {shown} tells "
-                    "no strength: give a greater dent, a lesser load, or check moduli and units."
+                    else f"has a dent or a contact of {least:.6g} m already under this load; a {what} of {shown} "
+                    "determines no strength: give a greater dent, a lesser load, or check moduli and units."
                 )
             )
         low = high
@@ -330,7 +330,7 @@ class StrengthFromDent:
                 return place
         raise NotConverged(
             f"StrengthFromDent: the strength of {sizes.size} loads has not settled after {MOST_STEPS} steps; check "
-            "loads, dents and units, or take fewer."
+            "loads, dents and units, or use fewer."
         )
 
     def _solution(self, strength: float) -> StrengthFromDentSolution:

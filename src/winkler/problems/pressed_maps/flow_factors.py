@@ -89,7 +89,7 @@ def flow_factors(surface: Topography, separations: ArrayLike) -> FlowFactors:
     1.375
     """
     if surface.missing:
-        raise InvalidInput(f"flow_factors: {surface.missing} heights are missing; take surface.filled() first.")
+        raise InvalidInput(f"flow_factors: {surface.missing} heights are missing; use surface.filled() first.")
     affordable("flow_factors", "pixels", surface.heights.size, MOST_FILM_PIXELS)
     try:
         distances = np.atleast_1d(np.asarray(separations, dtype=float))

@@ -145,8 +145,8 @@ class ProfilePairRolling:
             pressed = float(placed.windows.force[1])
             if borne < LEAST_BORNE * pressed:
                 raise OutsideValidity(
-                    f"ProfilePairRolling: of {pressed:.6g} N that press the upper body up, friction takes "
-                    f"{pressed - borne:.6g} N: it all but carries the body; give less friction, or other creepages."
+                    f"ProfilePairRolling: of {pressed:.6g} N that press the upper body up, friction carries "
+                    f"{pressed - borne:.6g} N, almost all; give less friction, or other creepages."
                 )
             pair = dataclasses.replace(pair, load=Force(pressed * wanted / borne))
         raise NotConverged(

@@ -71,7 +71,7 @@ def placed_bodies(problem: Any) -> tuple[PlacedBody, PlacedBody, Placing]:
     if not placing.bending[lowest] * (first[1] - first[0]) > 1e-9:
         raise InvalidInput(
             "ProfilePair: both bodies are straight along the same direction; give one of them a radius of "
-            "revolution, or take LineIndentation for a cylinder."
+            "revolution, or use LineIndentation for a cylinder."
         )
     return lower, upper, placing
 

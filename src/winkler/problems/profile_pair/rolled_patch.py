@@ -166,7 +166,7 @@ def rolled_patches(
             slip = rigid[here] * (pressure > 0.0)
             solved = roll_under(friction, speed, grid, pressure, slip, start, tolerance=tolerance)
         except (NotConverged, OutsideValidity) as error:
-            way_out = "; allow a larger tolerance, or take more pixels" if isinstance(error, NotConverged) else ""
+            way_out = "; allow a larger tolerance, or use more pixels" if isinstance(error, NotConverged) else ""
             raise type(error)(
                 f"ProfilePairRolling: on the patch at y = {patches[0].y:.6g} m, {error}{way_out}."
             ) from None

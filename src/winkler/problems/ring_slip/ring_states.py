@@ -47,7 +47,7 @@ class TwistedSprings:
         forced=("", None, "whether the memory counts forces, not depths"),
         edge=("h(a)", "Pa", "load over x at the edge of the contact"),
         coefficient=(r"\mu", "", "friction coefficient"),
-        bound=("", None, "what springs bear at most"),
+        bound=("", None, "greatest load of each spring without slip"),
         kinks=("", None, "where the load over x is not smooth"),
     )
 

@@ -56,7 +56,7 @@ class TwistMemory:
 
     __words__ = words(
         press=("", None, "how the contact is pressed"),
-        pieces=("", None, "what springs remember, ring by ring"),
+        pieces=("", None, "state of the springs of each annular element"),
     )
 
     press: PressedState
@@ -94,7 +94,7 @@ class TurnedTwist:
         press=("", None, "how the contact is pressed"),
         history=("", None, "turning points of the path"),
         point=("", "", "index of the point of the path"),
-        pieces=("", None, "what springs remember, ring by ring"),
+        pieces=("", None, "state of the springs of each annular element"),
     )
 
     press: PressedState

@@ -298,7 +298,7 @@ EDGES_ON_LAYERS = Note(
     Standing.APPROXIMATE,
     "On layers and graded bodies half-widths and area have an error of one element across. The elements are such "
     "that each half of the widest contact has an eighth as many across as there are along the roller.",
-    "elements that bear",
+    "loaded elements",
 )
 LAST_LOAD = "pressures are stored of the last load, which is not the greatest"
 PIXELS_ALONG = 256

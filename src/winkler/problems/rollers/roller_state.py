@@ -36,7 +36,7 @@ class RollerNumbers(PerLoad[Q]):
         depth=("d", "m", "approach of the bodies in the middle of the roller, since its middle would touch"),
         tilt=(r"\theta", "rad", "tilt of the roller"),
         stiffness=("k", "N/m", "incremental stiffness dF/dd at the stated tilt or moment"),
-        peak_pressure=("p_0", "Pa", "greatest pressure; infinite at sharp ends that bear"),
+        peak_pressure=("p_0", "Pa", "greatest pressure; infinite at loaded sharp ends"),
     )
 
     depth: Q

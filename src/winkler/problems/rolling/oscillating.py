@@ -140,7 +140,7 @@ class OscillatingRolling:
         line = self._line
         if self.shear_force > line.most * (1.0 - FORCE_ROUNDING):
             raise OutsideValidity(
-                f"OscillatingRolling: friction bears {line.most:.6g} N, no more than the shear force of "
+                f"OscillatingRolling: friction carries {line.most:.6g} N, no more than the shear force of "
                 f"{self.shear_force:.6g} N; give less."
             )
         sampled, count = springs("OscillatingRolling", line, self.amplitude, 1, self.count)
@@ -154,7 +154,7 @@ class OscillatingRolling:
                 )
                 if not borne:
                     raise OutsideValidity(
-                        f"OscillatingRolling: {load.size} springs do not bear {self.shear_force:.6g} N, so close to "
+                        f"OscillatingRolling: {load.size} springs do not carry {self.shear_force:.6g} N, so close to "
                         f"the sliding force of {line.most:.6g} N; give less, or a greater count."
                     )
                 shift += gained / stiffness

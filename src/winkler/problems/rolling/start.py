@@ -98,7 +98,7 @@ class RollingStart:
 
     __words__ = words(
         distance=("X", "m", "how far the contact rolls"),
-        start=("F_0", None, "shear force that the contact bears at rest"),
+        start=("F_0", None, "shear force that the contact carries at rest"),
         count=("n", "", "springs on half of the contact, at least"),
     )
 
@@ -149,7 +149,7 @@ class RollingStart:
         borne = push(load, sampled.bound, sampled.weight, sampled.part, 0, held, 1)[1]
         if abs(held) > line.most or not borne:
             raise OutsideValidity(
-                f"RollingStart: friction bears {line.most:.6g} N at rest, less than the shear force of {held:.6g} N; "
+                f"RollingStart: friction carries {line.most:.6g} N at rest, less than the shear force of {held:.6g} N; "
                 "give less."
             )
         apart = self.distance / self.points / count

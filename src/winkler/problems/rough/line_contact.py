@@ -102,7 +102,7 @@ class RoughContact(PerLoad[Q]):
     )
 
     spectrum: Spectrum
-    medium: Annotated[MappedMedium, Advice("roughness is known on no other")]
+    medium: Annotated[MappedMedium, Advice("roughness is not implemented for others")]
     side: Positive
     load: Force[Q] | Depth[Q]
     realisations: Realisations = 50

@@ -90,7 +90,7 @@ class RoughIndentation(PerLoad[Q]):
         medium = getattr(self.bed, "medium", None)
         if not (isinstance(medium, HomogeneousMedium) or offers(medium, PressedWaves) or offers(medium, PowerOfDepth)):
             raise InvalidInput(
-                "RoughIndentation: roughness is known on elastic half-spaces, layered or not, alone; give "
+                "RoughIndentation: roughness is implemented for elastic half-spaces only, layered or not; give "
                 "Foundation(profile, HalfSpace(...))."
             )
         check_ensemble("RoughIndentation", self.load, self.realisations, self.count)

@@ -39,7 +39,7 @@ def refuse_too_large(shape: tuple[int, ...], periodic: bool, owner: str = "Surfa
     if needed > there:
         raise InvalidInput(
             f"{owner}: a map of {shape[0]} x {shape[1]} pixels takes {needed / GIB:.3g} GiB of memory, "
-            f"this machine has {there / GIB:.3g} GiB; take topography.coarsened(2), or a part of it."
+            f"this machine has {there / GIB:.3g} GiB; use topography.coarsened(2), or a part of it."
         )
 
 
@@ -65,5 +65,5 @@ def state_memory(shape: tuple[int, ...], periodic: bool, owner: str = "SurfaceCo
         f"{max(free, 0.0) / GIB:.2g} GiB that are free"
     )
     if needed > free:
-        raise InvalidInput(f"{sentence}; end other programs, take topography.coarsened(2), or a part of the map.")
+        raise InvalidInput(f"{sentence}; end other programs, use topography.coarsened(2), or a part of the map.")
     LOG.info("%s.", sentence)

@@ -262,8 +262,8 @@ class ReductionSolution:
             )
         if not isinstance(elastic, HomogeneousMedium):
             raise InvalidInput(
-                f"Reduction: the medium is a {type(medium).__name__}; the springs of a map are known on homogeneous "
-                "half-spaces alone, give HalfSpace or ViscoelasticHalfSpace."
+                f"Reduction: the medium is a {type(medium).__name__}; the springs of a map need homogeneous "
+                "half-spaces: give HalfSpace or ViscoelasticHalfSpace."
             )
         return PlaneFoundation(MeasuredPlaneProfile(self.bed), medium)
 

@@ -84,7 +84,7 @@ def surface_notes(
                 f"Contact spots are about {0.5 / blurred:.2g} pixels wide. On this grid the area has an error of "
                 f"about {100.0 * blurred:.2g} per cent, and the maximum pressure may be up to "
                 f"{600.0 * blurred**2:.2g} per cent too "
-                f"low{'; take a finer map.' if blurred > LOST_AREA_ERROR else '.'}",
+                f"low{'; use a finer map.' if blurred > LOST_AREA_ERROR else '.'}",
                 YASTREBOV,
                 blurred,
             )

@@ -469,7 +469,7 @@ def refuse_long_ranges(tabor: float) -> None:
     if tabor < LEAST_TABOR:
         raise OutsideValidity(
             f"SurfaceAdhesion: the shortest range that these pixels resolve has a Tabor number of {tabor:.3g} on a "
-            f"ball as curved as the map. The pull-off force without range follows from {LEAST_TABOR:g} on: take "
+            f"ball as curved as the map. The pull-off force without range follows from {LEAST_TABOR:g} on: use "
             f"pixels of at most {(tabor / LEAST_TABOR) ** 2:.2g} times this size."
         )
 

@@ -110,5 +110,5 @@ def by_turns(
             return pressed._replace(gap=gap - deeper, depth=depth, penetration=overlap, work=work), rubbed
     raise NotConverged(
         f"pressures and tractions of dissimilar bodies still miss each other by {left:.3g} of the depth after "
-        f"{MOST_TURNS} turns; allowed are {allowed:.3g}. Take shorter steps, or bodies that are more alike"
+        f"{MOST_TURNS} turns; allowed are {allowed:.3g}. Take shorter steps, or bodies of closer elasticity"
     )

@@ -96,7 +96,7 @@ class JointStiffness(PerLoad[Q]):
     (0.82, 0.82)
     """
 
-    __words__ = words(share=("F_x/(\\mu F_N)", "", "amplitude of the shear force over what friction bears"))
+    __words__ = words(share=("F_x/(\\mu F_N)", "", "amplitude of the shear force over the friction limit"))
 
     topography: Topography
     medium: Annotated[MappedMedium, Advice("the boundary elements apply to no other")]
@@ -207,7 +207,7 @@ class JointStiffnessSolution(PerLoad[Q]):
     __words__ = words(
         contact=("", None, "the contacts under the normal forces"),
         stiffness=("K_z", "N/m", "stiffness across the surface"),
-        share=("F_x/(\\mu F_N)", "", "amplitude of the shear force over what friction bears"),
+        share=("F_x/(\\mu F_N)", "", "amplitude of the shear force over the friction limit"),
         spring_forces=("F'", "N", "normal forces up to the last one"),
         spring_stiffnesses=("K_x(F')", "N/m", "stiffness along x under lesser normal forces"),
         shift_error=("", "", "greatest difference of a shift from boundary elements, over the greatest shift"),

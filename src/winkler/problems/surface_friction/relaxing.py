@@ -74,7 +74,7 @@ def course_of(owner: str, medium: Any) -> tuple[MappedMedium, RelaxationSeries |
     series = medium.relaxation
     if series.viscosity > 0.0:
         raise InvalidInput(
-            f"{owner}: a dashpot alongside bears pixels that are caught suddenly with an infinite pressure; give a "
+            f"{owner}: a dashpot alongside loads pixels that are caught suddenly with an infinite pressure; give a "
             "solid without one, such as StandardSolid or Prony."
         )
     bodies: list[Any] = [getattr(medium, name, None) for name in ("first", "second")]
@@ -85,7 +85,7 @@ def course_of(owner: str, medium: Any) -> tuple[MappedMedium, RelaxationSeries |
     if not (alone or creep_ratio(*bodies) is not None or all(body.poisson == 0.5 for body in bodies)):
         raise InvalidInput(
             f"{owner}: the bodies relax each by a function of its own, so that the surface relaxes otherwise along "
-            "than across itself and no single function of time stands for both; give bodies that relax in proportion, "
+            "than across itself and no single function of time describes both; give bodies that relax in proportion, "
             "one of them rigid, or both with the Poisson's ratio 0.5."
         )
     first, second = (elastic_with(body, GLASSY) for body in bodies)

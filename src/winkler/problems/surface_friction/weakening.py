@@ -108,7 +108,7 @@ def shear_weakened(
     if fallen > most and (by_force or steepness(grid, law, pressure, slip_path, pixel) >= 1.0):
         raise OutsideValidity(
             f"the friction coefficient falls by {fallen:.3g} at once while friction may fall faster than the bodies "
-            f"unload, so that a jump may pass unseen; take about {math.ceil(fallen / most)} times as many points, or "
+            f"unload, so that a jump may pass unseen; use about {math.ceil(fallen / most)} times as many points, or "
             "friction that falls over more slip"
         )
     return sheared._replace(misfit=max(sheared.misfit, varied.mismatch))

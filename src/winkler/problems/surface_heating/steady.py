@@ -164,7 +164,7 @@ class SurfaceFrictionHeating(RubbingBodies, PerLoad[Q]):
         if rough.periodic or min(shape) < FEWEST_PIXELS:
             raise InvalidInput(
                 f"SurfaceFrictionHeating: the map has {shape[0]} x {shape[1]} pixels and is "
-                f"{'repeated for ever' if rough.periodic else 'finite'}; give one that is not periodic, of at least "
+                f"{'periodic' if rough.periodic else 'finite'}; give one that is not periodic, of at least "
                 "two pixels in both directions."
             )
         if not isinstance(contact, SurfaceLoad):

@@ -224,10 +224,10 @@ class CreepSearch:
         """Return what may be wrong with forces that are not met, and what to do."""
         if isinstance(self.friction, FallingFriction):
             return (
-                "friction that falls with the velocity of slip bears less than the static coefficient says, and what "
+                "friction that falls with the velocity of slip carries less than the static coefficient says, and what "
                 "is beyond the maximum of the creep curve has creepages only: give smaller forces, or a Creepage"
             )
-        return "together they may be more than friction bears: give smaller ones, or a Creepage"
+        return "together they may exceed the friction limit: give smaller ones, or a Creepage"
 
     def _behind(self, given: Array, at: CreptPatch) -> Array:
         """Return what t lacks where forces are given."""

@@ -53,7 +53,7 @@ def roll_under(
     steep = speed * float(np.max(friction.fall(speed * creep) * pressure))
     if steep > 1.0:
         raise OutsideValidity(
-            f"friction falls {steep:.3g} times as fast with the velocity of slip as the bodies unload, and what sticks "
-            "is not determined; give a lower speed, or friction that falls over a greater velocity"
+            f"friction falls {steep:.3g} times as fast with the velocity of slip as the bodies unload; the stick zone "
+            "is not determined: give a lower speed, or friction that falls over a greater velocity"
         )
     return rolled._replace(misfit=max(rolled.misfit, varied.mismatch))

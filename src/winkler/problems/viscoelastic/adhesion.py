@@ -171,8 +171,8 @@ class ViscoelasticAdhesion:
         medium = self.bed.medium
         if isinstance(medium, ViscoelasticHalfSpace) and medium.relaxation.relaxed == 0.0:
             raise InvalidInput(
-                "ViscoelasticAdhesion: the body flows for ever and has no relaxed state to be pulled off from; give a "
-                "solid with a relaxed modulus."
+                "ViscoelasticAdhesion: the body creeps without limit and has no relaxed state to be pulled off from; "
+                "give a solid with a relaxed modulus."
             )
         if isinstance(medium, RelaxingInProportion) and not math.isclose(medium.relaxation.relaxed, 1.0):
             raise InvalidInput(

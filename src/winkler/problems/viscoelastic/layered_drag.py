@@ -145,7 +145,7 @@ class LayeredDrag:
         if by_force and abs(goal) > limit * (1.0 + SLIDING_TOLERANCE):
             raise OutsideValidity(
                 f"{self.owner}: {goal:.6g} {'N m' if self.twisted else 'N'} are prescribed at {point.time:.6g} s, but "
-                f"friction bears {limit:.6g} at most, and the bodies would slide away; give less."
+                f"friction carries {limit:.6g} at most, and the bodies would slide away; give less."
             )
         grid = self._grid(span)
         if not touches.any():

@@ -96,7 +96,7 @@ def contact_reach(owner: str, bed: Bed, normal: Depth | Force, most: float) -> f
         if reach == bed.reach and widest >= reach:
             raise beyond(bed)
         reach = min(WIDENED * reach if widest > 0.25 * reach else max(2.0 * widest, 0.1 * reach), end)
-    raise NotConverged(f"{owner}: how wide the contact becomes was not found; press less, or take thicker layers.")
+    raise NotConverged(f"{owner}: how wide the contact becomes was not found; press less, or use thicker layers.")
 
 
 def _walked(

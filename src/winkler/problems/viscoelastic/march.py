@@ -28,7 +28,7 @@ from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
 __all__ = ["RESTING_FORCE", "SpringMemory", "SpringRow", "elastic_like", "refuse_rings", "relaxation_of"]
 
-NO_DEPTH = "the springs find no depth at which they bear its force; take more of them."
+NO_DEPTH = "the springs find no depth at which they carry its force; use more of them."
 TOO_SHORT = "the depth under this force needs ever shorter steps; allow a greater tolerance."
 RESTING_FORCE = 1e-11
 """A body under no force rests on the surface with this part of the greatest one."""
@@ -142,7 +142,7 @@ class SpringRow:
         wanted = np.array([force, 0.0, 1.0 / dt, 0.0] if mean else [force, 1.0, 0.0, 0.0])
         change, _ = advance_to_force(self.law, self.row, self._state, self.motion, wanted, dt, guess, scale)
         if math.isnan(change):
-            raise NotConverged(f"The springs find no depth at which they bear {force:.6g} N; take more of them.")
+            raise NotConverged(f"The springs find no depth at which they carry {force:.6g} N; use more of them.")
         return float(change)
 
     def march_under(self, forces: Array, spans: Array, limits: Array, course: Array) -> tuple[Array, str]:
@@ -183,7 +183,7 @@ class SpringRow:
             self.law, self.row, self._state, self.motion, wanted, dt, velocity * dt, abs(momentum)
         )
         if math.isnan(change):
-            raise NotConverged("The springs find no impulse that stops the body; take more of them.")
+            raise NotConverged("The springs find no impulse that stops the body; use more of them.")
         return float(change) / dt, int(held)
 
     def loads(self) -> Array:

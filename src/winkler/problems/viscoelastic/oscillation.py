@@ -77,7 +77,7 @@ class HarmonicIndentation(PerLoad[Q]):
         series = relaxation_of("HarmonicIndentation", self.bed)
         if isinstance(self.normal, Force) and series.relaxed == 0.0:
             raise InvalidInput(
-                "HarmonicIndentation: the body flows for ever, so that it never rests under a force; give a Depth."
+                "HarmonicIndentation: the body creeps without limit and never rests under a force; give a Depth."
             )
 
     def solve(self) -> HarmonicSolution[Q]:

@@ -307,7 +307,7 @@ def pass_under_load(bed: Bed, normal: Depth | Force, count: int, speed: float) -
             )
         low, high = high, min(2.0 * high, end)
     else:
-        raise NotConverged(f"SlidingResistance: at {speed:.6g} m/s no depth bears the force {wanted:.6g} N.")
+        raise NotConverged(f"SlidingResistance: at {speed:.6g} m/s no depth carries the force {wanted:.6g} N.")
     depth = high
     if high > low:
 

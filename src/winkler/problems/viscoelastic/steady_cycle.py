@@ -162,7 +162,7 @@ def check_cycles(owner: str, bed: Bed, frequency: float, method: Method) -> None
     series = None if layered else relaxation_of(owner, bed)
     if series and (series.relaxed == 0.0 or series.viscosity > 0.0):
         what = (
-            "the body flows for ever and bears no steady load, so that no cycle repeats"
+            "the body creeps without limit and carries no steady load, so that no cycle repeats"
             if series.relaxed == 0.0
             else "a dashpot alongside has forces that jump wherever a spring begins to slide"
         )

@@ -323,6 +323,6 @@ class DraggedRow(Row[DragGoal, DraggedSprings]):
         if needed is not None:  # which was tried last
             return needed, *found
         raise NotConverged(
-            f"the springs find no {cells.motion.lower()} at which they bear a {cells.load} of {prescribed:.6g} "
+            f"the springs find no {cells.motion.lower()} at which they carry a {cells.load} of {prescribed:.6g} "
             f"{cells.unit}."
         )

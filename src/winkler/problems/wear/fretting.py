@@ -152,7 +152,7 @@ class FrettingWear(AtGoals):
         most = self.law.coefficient * contact.force
         if isinstance(self.amplitude, ShearForce) and float(self.amplitude.shear_force) >= most:
             raise OutsideValidity(
-                f"FrettingWear: after {elapsed:.6g} cycles friction bears {most:.6g} N, and the bodies slide away "
+                f"FrettingWear: after {elapsed:.6g} cycles friction carries {most:.6g} N, and the bodies slide away "
                 f"under a shear force of {float(self.amplitude.shear_force):.6g} N; give less, or prescribe a Shift."
             )
 

@@ -45,7 +45,7 @@ SAMPLES = 513
 
 ONE_DEPTH = Condition(
     lambda load: numbers_of(load).ndim == 0 and float(load.depth) > 0.0,
-    "give Depth(d) with one positive number: under a steady force the core takes over what the worn ring lets go, "
+    "give Depth(d) with one positive number: under a steady force wear transfers the load to the stick zone, "
     "use FrettingWear",
 )
 ONE_SHIFT = Condition(
@@ -147,7 +147,7 @@ class LimitingProfile:
         core = min(radii)
         if core == 0.0:
             shrinks = radii.first > 0.0
-            fate = "the core shrinks to nothing while its surroundings wear" if shrinks else "everything slips"
+            fate = "the stick zone vanishes as the surface around it wears" if shrinks else "everything slips"
             raise OutsideValidity(
                 f"LimitingProfile: with an amplitude of {moved:.6g} m {fate}; such a contact wears without end: give a "
                 "smaller amplitude, or use FrettingWear."

@@ -152,8 +152,8 @@ class LineLimitingSolution(Stressed):
 
     __words__ = words(
         half_width=(r"a_\infty", "m", "half-width up to which the surfaces are worn"),
-        stick_half_width=("c", "m", "half-width of the core, which bears everything in the end"),
-        excess_load=(r"Q/\mu E^*", "m", "load per length over E* that the core bears as a flat punch"),
+        stick_half_width=("c", "m", "half-width of the stick zone, which carries the whole load in the end"),
+        excess_load=(r"Q/\mu E^*", "m", "load per length over E* that the stick zone carries as a flat punch"),
     )
 
     problem: LineLimitingProfile

@@ -184,4 +184,4 @@ def level_under(rings: GridTransforms, modulus: float, force: float, gap: Array)
         if abs(following - depth) <= DEPTH_TOLERANCE * reach:
             return following
         depth = following
-    raise NotConverged(f"The worn contact finds no depth at which it bears {force:.6g} N; give more cells (count).")
+    raise NotConverged(f"The worn contact finds no depth at which it carries {force:.6g} N; give more cells (count).")

@@ -102,7 +102,7 @@ def stuck_core(owner: str, bed: LineBed, law: Coulomb, normal: LineForce, amplit
     most = law.coefficient * force
     if swing >= most:
         raise OutsideValidity(
-            f"{owner}: friction bears {most:.6g} N/m, and the bodies slide away under a shear force of {swing:.6g} "
+            f"{owner}: friction carries {most:.6g} N/m, and the bodies slide away under a shear force of {swing:.6g} "
             "N/m; give less, or follow sliding with LineSlidingWear."
         )
     modulus = float(bed.medium.modulus)

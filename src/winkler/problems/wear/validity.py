@@ -156,7 +156,7 @@ def moved_core_note(first: float, alone: float, follow: str) -> Note:
         Standing.APPROXIMATE if grows else Standing.EXACT,
         "With the normal and shear kernels of the layers the half-width of the stick zone before wear is "
         f"{first:.4g} m. The stick zone {fate}",
-        "what a spring on layers bears before it slides depends on the pressure outside of it",
+        "the friction limit of a spring on layers depends on the pressure outside of it",
     )
 
 

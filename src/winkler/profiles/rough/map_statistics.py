@@ -109,7 +109,7 @@ def map_statistics(surface: Topography) -> MapStatistics:
     texture = correlation_lengths(surface)
     squares = _squared_slopes(surface)
     if not squares.size:
-        raise InvalidInput("map_statistics: no four neighbouring heights are there; take surface.filled() first.")
+        raise InvalidInput("map_statistics: no four neighbouring heights are there; use surface.filled() first.")
     return MapStatistics(
         float(np.nanmean(np.abs(from_mean))),
         surface.rms_height,
@@ -189,7 +189,7 @@ def correlation_length(surface: Topography) -> float:
         fall to 0.2 within the map.
     """
     if surface.missing:
-        raise InvalidInput(f"correlation_length: {surface.missing} heights are missing; take surface.filled() first.")
+        raise InvalidInput(f"correlation_length: {surface.missing} heights are missing; use surface.filled() first.")
     if surface.rms_height == 0.0:
         raise InvalidInput("correlation_length: a flat map has no correlation; its heights do not differ.")
     try:
@@ -211,7 +211,7 @@ def correlation_length(surface: Topography) -> float:
     below = np.flatnonzero(correlation <= CORRELATION_LEVEL)
     if not below.size:
         raise InvalidInput(
-            "correlation_length: the heights are correlated over all of the map; take off its trend by "
+            "correlation_length: the heights are correlated over all of the map; subtract its trend by "
             "surface.detrended(1), or give a larger map."
         )
     i = int(below[0])

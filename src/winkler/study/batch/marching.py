@@ -108,5 +108,5 @@ class _ReachedStates:
         """Why the march ended early, in one sentence."""
         why = "it was interrupted" if isinstance(self.end, KeyboardInterrupt) else str(self.end)
         many = "states" if self._problem.total is None else f"of {self._problem.total} points of the path"
-        sentence = f"After {self._count} {many}, which are kept, the march ended: {why}"
+        sentence = f"After {self._count} {many}, which are kept, the calculation ended: {why}"
         return sentence if sentence.endswith(".") else f"{sentence}."

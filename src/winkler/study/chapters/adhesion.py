@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
+from winkler.study.chapters.answer import TENSE, Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.kind import is_a, kind
 from winkler.study.chapters.normal import bed_formulas
 
@@ -112,6 +112,7 @@ ADHESION = Chapter(
             "popov_hess_2015",
             "johnson_kendall_roberts_1971",
             "maugis_1992",
+            unstressed=TENSE,
             question="How deep does a sticky body sink in, and how large is its contact?",
             page="chapters/adhesion.md",
             key="adhesion",
@@ -126,10 +127,11 @@ ADHESION = Chapter(
             "winkler.problems.adhesion.pull_off:PullOff",
             "popov_hess_2015",
             "johnson_kendall_roberts_1971",
+            unstressed=TENSE,
             question="Which force pulls a sticky body off?",
             page="chapters/adhesion.md",
             en="peel a sphere off a surface stiction unstick pull off force separation detachment how strong does it stick adhesive strength peel tear off debonding lift-off detach critical force retract curve minimum snap-off break a bead off adhesion force tear loose remove a particle removal force",
-            de="abreisskraft ablösen abziehen haftkraft wie stark haftet trennen abheben pull-off-kraft losreissen abreissen löst sich",
+            de="abreisskraft abzugskraft ablösen abziehen haftkraft wie stark haftet trennen abheben pull-off-kraft losreissen abreissen löst sich",
             fr="force d'arrachement décollement détachement force de séparation arracher force d'adhérence décolle arracher bille décolle",
             event="at which the contact separates",
             headline=("force", "depth", "radius"),
@@ -144,6 +146,7 @@ ADHESION = Chapter(
             "popov_hess_2015",
             "johnson_kendall_roberts_1971",
             "guduru_2007",
+            unstressed=TENSE,
             question="Which equilibria does a sticky contact have, and which of them are stable?",
             page="chapters/adhesion.md#pulling-off",
             en="stability branches unstable equilibrium jump into contact snap-in stable curve of adhesion",
@@ -166,6 +169,7 @@ ADHESION = Chapter(
             "popov_hess_2015",
             "johnson_kendall_roberts_1971",
             "guduru_2007",
+            unstressed=TENSE,
             question="Where does a sticky tip snap in and off, and how much energy is lost on the way?",
             page="chapters/adhesion.md#pulling-off",
             en="approach and retract force-distance curve snap-in pull-off hysteresis loading unloading cantilever adhesion hysteresis loss of sticking energy afm force curve simulated snap-off distance loading and unloading differ adhesive hysteresis loop energy lost in approach and retract",
@@ -188,6 +192,7 @@ ADHESION = Chapter(
             "winkler.problems.adhesion.shear:AdhesiveShear",
             "popov_hess_2015",
             "savkoor_briggs_1977",
+            unstressed=TENSE,
             question="How much does a sticky contact shrink when it is sheared, approximately?",
             page="chapters/adhesion.md#sheared-without-slip",
             en="adhesion under shear sheared bead savkoor briggs friction of sticky contact peeling by shear gecko toe pushing a sticky particle sideways",

@@ -36,6 +36,10 @@ ALONG = ("shift", "depth")
 """Abscissae of the answers to many loads where no curves are named: the first of these that was computed."""
 Kinds = dict[str, dict[str, Kind]]
 """Slot -> kind -> its line of the catalogue."""
+WORN_SHAPE = "the pressure of a worn shape is known at single places only; {} states them before wear"
+YIELDED = "a metal that has yielded carries its strength; plastic_indentation states the load at which it yields"
+TENSE = "the edge is under tension that is infinite or has a range; {} states them without adhesion"
+"""Why the stresses of a contact may not be stated; of the kind that states them, ``indentation`` or that of lines."""
 
 
 class Caption(NamedTuple):
@@ -99,6 +103,8 @@ class Answer(NamedTuple):
         ``{contact_share}`` is the contact area over that of the height map.  Of the others the number is named.
     beyond
         The kind that takes the same bodies and goes on where a metal yields; empty without one.
+    unstressed
+        Why the stresses of its contacts are not stated where they are not; empty where their bodies are the reason.
     live
         Whether the panels of the picture take milliseconds, so that the app draws them at each move of a slider.
     """
@@ -117,52 +123,19 @@ class Answer(NamedTuple):
     event: str = ""
     says: Mapping[str, str] = MappingProxyType({})
     beyond: str = ""
+    unstressed: str = ""
     live: bool = False
 
 
-def answer(
-    path: str,
-    /,
-    *cites: str,
-    question: str = "",
-    page: str = "",
-    headline: tuple[str, ...] = (),
-    formulas: Formulas | tuple[Equation, ...],
-    picture: Caption | None = None,
-    curves: tuple[tuple[str, str], ...] = (),
-    compared: tuple[str, ...] = (),
-    pictured: PicturedContact = PicturedContact.LOAD,
-    contact_shown: str = "",
-    verdict: str = "",
-    event: str = "",
-    says: Mapping[str, str] = MappingProxyType({}),
-    beyond: str = "",
-    live: bool = False,
-    **example: Any,
-) -> Answer:
+def answer(path: str, /, *cites: str, formulas: Formulas | tuple[Equation, ...], **fields_and_example: Any) -> Answer:
     """Return a record: the path of the problem, its papers and an example as for `kind`, and the fields of `Answer`.
 
     Formulas in place of a function of the problem are the same for each problem of the kind.
     """
     made = (lambda problem: formulas) if isinstance(formulas, tuple) else formulas
-    line = kind(path, *cites, **example)
-    return Answer(
-        line,
-        made,
-        question,
-        page,
-        headline,
-        picture,
-        curves,
-        compared,
-        pictured,
-        contact_shown,
-        verdict,
-        event,
-        says,
-        beyond,
-        live,
-    )
+    example = dict(fields_and_example)
+    fields = {name: example.pop(name) for name in Answer._fields[2:] if name in example}
+    return Answer(kind(path, *cites, **example), made, **fields)
 
 
 class Chapter(NamedTuple):

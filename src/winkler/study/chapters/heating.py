@@ -216,7 +216,7 @@ HEATING = Chapter(
         ),
         "fretting_heat": answer(
             "winkler.problems.heating.fretting:FrettingHeat",
-            question="How hot does a contact get that is pushed to and fro?",
+            question="How hot does a contact get that is pushed back and forth?",
             page="chapters/heating.md#fretting",
             en="small oscillation warms up the contact plug vibrates warm heat by vibration fretting temperature ultrasonic welding reciprocating heat oscillating contact warm linear friction welding",
             de="reibschweissen fretting temperatur schwingend erwärmung ultraschallschweissen hin und her",

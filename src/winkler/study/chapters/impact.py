@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from winkler.study.chapters.adhesion import adhesion_formulas
-from winkler.study.chapters.answer import Caption, Chapter, Equation, answer, followed_by
+from winkler.study.chapters.answer import TENSE, Caption, Chapter, Equation, answer, followed_by
 from winkler.study.chapters.friction import tangential_formulas
 
 EQUATION_OF_MOTION = Equation("The force stops the body and accelerates it back", r"m\,\ddot{d} = -F_N")
@@ -49,6 +49,7 @@ IMPACT = Chapter(
         ),
         "adhesive_impact": answer(
             "winkler.problems.impact.adhesive_impact:AdhesiveImpact",
+            unstressed=TENSE,
             question="Does a sticky grain bounce or stay?",
             page="chapters/friction.md",
             en="grains particles collide sticky particle impact capture dust sticks aerosol critical velocity sticking powder coating cold spray adhesion bounce filter critical sticking velocity aerosol deposition bounce-off cohesive grains restitution capture efficiency of a filter fibre toner deposit cohesion of particles agglomeration pollen leaf spore grain sticking",

@@ -217,7 +217,7 @@ NORMAL = Chapter(
             beyond="plastic_indentation",
             says={
                 "depth": "the body sinks in by {depth}, on a contact of {radius} radius",
-                "force": "it takes {force} to press the body in, on a contact of {radius} radius",
+                "force": "{force} press the body in, on a contact of {radius} radius",
             },
             formulas=normal_formulas,
         ),

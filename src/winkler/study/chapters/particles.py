@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from winkler.study.chapters.answer import Caption, Chapter, Equation, answer
+from winkler.study.chapters.answer import YIELDED, Caption, Chapter, Equation, answer
 
 HALF_ELLIPSE = Equation(
     "Springs of the stiffness E_c per length stand under half an ellipse (after Zunker and Kamrin)",
@@ -27,6 +27,7 @@ PARTICLES = Chapter(
     answers={
         "elastic_plastic_particle": answer(
             "winkler.problems.particles.elastic_plastic:ElasticPlasticParticle",
+            unstressed=YIELDED,
             question="Which force does a grain of powder carry that yields and sticks?",
             page="chapters/friction.md",
             en="grains particles collide thornton ning plastic particle powder dem metal particle yielding ball plastic indentation crush elastoplastic restitution plastic thornton walton braun hysteretic granule inelastic collision of metal grains eepa model luding edinburgh walton-braun compaction tablet granule yields flowability caking plastic grain contact law cohesion agglomeration",

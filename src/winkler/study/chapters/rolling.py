@@ -180,7 +180,7 @@ ROLLING = Chapter(
             load=PRESSED,
             picture=Caption(
                 "rocking",
-                "Rocking to and fro",
+                "Rocking back and forth",
                 "Tangential displacement over the cycles, the springs after several cycles, and the shakedown limit.",
             ),
             curves=(("cycle", "shift"),),

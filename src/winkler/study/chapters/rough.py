@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
+from winkler.study.chapters.answer import TENSE, Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.kind import kind
 
 BLASTED = {
@@ -191,6 +191,7 @@ ROUGH = Chapter(
         ),
         "surface_adhesion": answer(
             "winkler.problems.surface_adhesion.adhesion:SurfaceAdhesion",
+            unstressed=TENSE,
             question="Where does a measured or rough surface snap in, which force pulls it off, and what does a loop lose?",
             page="chapters/surfaces/surface-adhesion.md",
             en="rough adhesion sticky rough surface roughness kills adhesion attraction of a map lennard-jones rough wafer bonding does roughness stop sticking fuller tabor roughness reduces adhesion gauge blocks wring wringing lennard-jones dahlquist criterion",

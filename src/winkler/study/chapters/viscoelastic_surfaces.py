@@ -18,7 +18,7 @@ from winkler.study.chapters.viscoelastic import (
 
 ALONG = Equation(
     "The tangential load of every spring is a hereditary integral of its displacement; normal and tangential moduli "
-    "relax alike, because Poisson's ratios are constant",
+    "have one relaxation function, because Poisson's ratios are constant",
     r"q_x(x,t) = \int_0^t G^*(t-t')\,\frac{\partial u_t(x,t')}{\partial t'}\,\mathrm{d}t'",
 )
 SLIDES = Equation("It slides where this load reaches the friction limit", r"|q_x(x,t)| \le \mu\,q(x,t)")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
+from winkler.study.chapters.answer import WORN_SHAPE, Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.kind import kind
 from winkler.study.chapters.normal import ELLIPSE, normal_formulas
 
@@ -71,6 +71,7 @@ WEAR = Chapter(
     answers={
         "fretting_wear": answer(
             "winkler.problems.wear.fretting:FrettingWear",
+            unstressed=WORN_SHAPE,
             question="How does a fretting joint wear?",
             page="chapters/wear.md",
             key="fretting",
@@ -95,6 +96,7 @@ WEAR = Chapter(
         ),
         "sliding_wear": answer(
             "winkler.problems.wear.sliding:SlidingWear",
+            unstressed=WORN_SHAPE,
             question="How does a pin wear on a disc?",
             page="chapters/wear.md",
             key="wear",
@@ -118,6 +120,7 @@ WEAR = Chapter(
         ),
         "elliptic_wear": answer(
             "winkler.problems.wear.elliptic:EllipticWear",
+            unstressed=WORN_SHAPE,
             question="How deep does a body with two curvatures wear at first, and how deep is its track?",
             page="chapters/ellipses.md#wear",
             en="knee implant wear condyle wheel wear bearing wear raceway wear ellipse crossed cylinder wear test wire rope wires crossed polyethylene tray enamel crossed-cylinder tester",
@@ -140,6 +143,7 @@ WEAR = Chapter(
         ),
         "limiting_profile": answer(
             "winkler.problems.wear.limiting_profile:LimitingProfile",
+            unstressed=WORN_SHAPE,
             question="Which shape does a fretting joint have in the end?",
             page="chapters/wear.md",
             en="worn surface look after millions of small vibrations final shape after fretting worn end state steady state scar where does wear stop limiting shape",

@@ -51,11 +51,8 @@ COMMON, SELDOM = 1.1, 0.6
 ASKED = ("problem", "medium", "profile")
 """Slots whose kinds people ask for."""
 
-DECIDES = 2.0
+DECIDES = 1.3
 """Factor of what is not covered, where a typed word belongs to such a neighbour alone."""
-
-FITS = 0.45
-"""Share of what its words could tell that an entry reaches at least, if it is to be promised without a doubt."""
 
 PROMISED = 0.45
 """Share of the best score down to which others are shown."""
@@ -121,15 +118,12 @@ class SearchResult(NamedTuple):
     beyond
         What was asked for and is not covered, or None; the hits are then what the other words mean, and the nearest.
     unknown
-        Words that no entry has.
-    fits
-        Whether the best hit has most of the other words.
+        Words that no covered entry has.
     """
 
     hits: tuple[Hit, ...]
     beyond: Beyond | None
     unknown: tuple[str, ...] = ()
-    fits: bool = True
 
     @property
     def remark(self) -> str:
@@ -137,8 +131,8 @@ class SearchResult(NamedTuple):
         if self.beyond:
             return f"winkler does not cover {self.beyond.what}."
         if self.unknown:
-            return f"No entry of winkler has the word {' or '.join(map(repr, self.unknown))}; it may not be covered."
-        return "" if self.fits else "No entry of winkler has most of these words; the question may not be covered."
+            return f"winkler does not know {' or '.join(map(repr, self.unknown))} and may not cover the question."
+        return ""
 
     def table(self) -> dict[str, Any]:
         """Return it as data for JSON."""
@@ -177,6 +171,11 @@ def _table() -> Any:
     return tomllib.loads(text)
 
 
+@functools.cache
+def _list(name: str) -> frozenset[str]:
+    return frozenset(_table()[name].split())
+
+
 def _folded(text: str) -> str:
     """Return small letters without accents; an umlaut is as good as two letters, S-N as SN."""
     plain = unicodedata.normalize("NFKD", text.lower().replace("ß", "ss").replace("œ", "oe").replace("’", "'"))
@@ -186,7 +185,7 @@ def _folded(text: str) -> str:
 
 
 def _stem(word: str) -> str:
-    if word in _table()["whole"].split():
+    if word in _list("whole"):
         return word
     for ending in ENDINGS:
         if word.endswith(ending) and len(word) - len(ending) >= (5 if ending == "er" else 4):
@@ -197,8 +196,7 @@ def _stem(word: str) -> str:
 def _tokens(text: str) -> list[str]:
     """Return the words of a text and their stems, each once; a word in capitals begins a word of a public name."""
     found = re.findall(r"[a-z]+[0-9]*|[0-9]+", _folded(re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text)))
-    idle = _table()["idle"].split()
-    told = [word for word in found if len(word) > 1 and word not in idle]
+    told = [word for word in found if len(word) > 1 and word not in _list("idle")]
     return list(dict.fromkeys(map(_stem, told)))
 
 
@@ -329,11 +327,12 @@ def _asked(text: str) -> list[str]:
 
 
 def _unknown(text: str) -> tuple[str, ...]:
-    """Return the words of a question of which nothing is known, neither a part nor what they may become."""
+    """Return the words of a question that no covered entry has, neither a part nor what they may become."""
     index = _index()
     told = {word: _asked(word) for word in re.findall(r"[^\W\d_][\w-]+", text)}
     for word, tokens in list(told.items()):
-        if not tokens or any(index.alike(each) or any(one.startswith(each) for one in index.scores) for each in tokens):
+        meant = (index.alike(each).keys() | {one for one in index.scores if one.startswith(each)} for each in tokens)
+        if not tokens or any(index.scores[one].keys() & index.hits.keys() for some in meant for one in some):
             del told[word]
     return tuple(told)
 
@@ -403,9 +402,7 @@ def find(text: str, *, most: int = 5) -> SearchResult:
     names = [name for name in ranked if name in index.hits and totals[name] >= least]
     names.sort(key=lambda name: index.titles[name] != _tokens(text))  # what is asked for by its name comes first
     found = dict.fromkeys([*public, *(index.hits[name] for name in names)])
-    could = sum(max(best.values(), default=0.0) for best in each)
-    fits = bool(public) or totals[ranked[0]] >= FITS * could
-    return SearchResult(tuple(found)[:most], None, () if public else _unknown(text), fits)
+    return SearchResult(tuple(found)[:most], None, () if public else _unknown(text))
 
 
 def materials_meant(word: str) -> tuple[str, ...]:

@@ -354,7 +354,7 @@ def _tip(file: Path) -> Inspection:
     try:
         tip = read_indenter(file)
     except InvalidInput as error:
-        run = "if it is a study, `winkler run` or `winkler fit` takes it"
+        run = "if it is a study, solve it by `winkler run` or `winkler fit`"
         return Inspection(str(file), "", f"{str(error).rstrip('.')}; {run}.")
     numbers = ", ".join(f"{one:.4g}" for one in tip.area.coefficients)
     done = (f"area coefficients {numbers} (SI)", f"frame compliance {with_unit(tip.frame_compliance, 'm/N', 4)}")
@@ -403,7 +403,7 @@ def _jumps(curve: ForceCurve) -> Iterator[str]:
     if steps.size >= FEWEST_FOR_JUMPS and float(steps.max()) > LEAST_JUMP * float(np.ptp(curve.position)):
         yield (
             f"position: a jump of {with_unit(float(steps.max()), 'm', 3)} behind row {int(np.argmax(steps)) + 1}, more "
-            "than half of the travel; a way back may be written from its end, or two tests stand below each other."
+            "than half of the travel; a retraction may be stored in reverse order, or two tests below each other."
         )
 
 
@@ -416,8 +416,8 @@ def _unpressed(curve: ForceCurve) -> Iterator[str]:
     means = inwards[: part * UNPRESSED_PARTS].reshape(UNPRESSED_PARTS, part).mean(axis=1)
     if np.all(np.diff(means) < 0.0):
         yield (
-            f"The force falls over the whole way in, by {with_unit(float(means[0] - means[-1]), 'N', 3)}: the tip does "
-            "not touch, or the sign of its deflection is wrong; a fit of it means nothing."
+            f"The force falls during the whole approach, by {with_unit(float(means[0] - means[-1]), 'N', 3)}: the "
+            "tip does not touch, or the sign of its deflection is wrong; a fit of it means nothing."
         )
 
 

@@ -87,18 +87,18 @@ def read_surface_file(path: Path, options: SurfaceOptions) -> SurfaceRead:
 def _container(path: Path) -> tuple[str, ...]:
     if not is_container(path):
         return ()
-    return (f"The container holds {', '.join(measurement_names(path))}; --channel takes one of them.",)
+    return (f"The container holds {', '.join(measurement_names(path))}; select one by --channel.",)
 
 
 def _map_doubts(rough: Topography, statistics: MapStatistics, options: SurfaceOptions) -> list[str]:
     spikes = "" if options.without_spikes else str(rough.spikes())
     remarks = [f"Missing: {rough.missing} of {rough.heights.size} heights."] if rough.missing else []
     if spikes not in ("", "no spikes"):
-        remarks.append(f"Spikes: {spikes}; --without-spikes takes them out.")
+        remarks.append(f"Spikes: {spikes}; --without-spikes removes them.")
     if not rough.periodic and options.detrend == "none" and rough.rms_height > 0.0:
         tilted = 1.0 - (rough.detrended(1).rms_height / rough.rms_height) ** 2
         if tilted > LARGE_TILT:
-            remarks.append(f"A plane makes up {tilted:.0%} of the mean square height; --detrend plane takes it off.")
+            remarks.append(f"A plane makes up {tilted:.0%} of the mean square height; --detrend plane subtracts it.")
     remarks += doubts_of_surface(rough.heights, statistics.rms_slope, tuple(rough.lengths))
     return [*remarks, *(note.statement for note in map_notes(rough))]
 

@@ -111,12 +111,12 @@ def _ends(raw: dict[str, Any], target: _Target, where: str, kind: str) -> dict[s
     """Return the ends and the scale of a range that a design draws from."""
     for name in raw:
         if name not in RANGE_FIELDS:
-            advice = {"count": "; the count of the points stands in sweep.design", "spacing": "; write scale"}.get(
+            advice = {"count": "; give the count of the points in sweep.design", "spacing": "; write scale"}.get(
                 name, ""
             )
             raise InvalidInput(
                 f"{where}.{name} is not known{advice or suggest(name, RANGE_FIELDS)}; a range that {kind} draws from "
-                f"takes {', '.join(RANGE_FIELDS)}."
+                f"has {', '.join(RANGE_FIELDS)}."
             )
     for name in ("from", "to"):
         if name not in raw:

@@ -184,7 +184,8 @@ def axes_of(design: Design, lines: tuple[Axis | Range, ...]) -> tuple[Axis, ...]
         for line in lines:
             if isinstance(line, Range):
                 raise InvalidInput(
-                    f"sweep: '{line.key}' is drawn from a range, but a {design.kind} design takes values in turn; give "
+                    f"sweep: '{line.key}' is drawn from a range, but a {design.kind} design needs a list of values; "
+                    "give "
                     'values, or a design such as { kind = "sobol", count = 128 }.'
                 )
         axes = tuple(line for line in lines if isinstance(line, Axis))

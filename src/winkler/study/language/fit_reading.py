@@ -60,7 +60,7 @@ def parse_fit_study(text: str, *, file: str = "", folder: Path = Path()) -> FitS
     raw = parsed(text, file)
     at = f"{file}: " if file else ""
     if "fit" not in raw:
-        raise InvalidInput(f"{at}the study has no section [fit]; add it, or take `winkler run`.")
+        raise InvalidInput(f"{at}the study has no section [fit]; add it, or use `winkler run`.")
     for name in EXCLUDED_SECTIONS:
         if name in raw:
             raise InvalidInput(f"{at}a study with [fit] has no {name}; leave it out.")

@@ -55,7 +55,7 @@ def _refuse_uneven(rows: list[Any]) -> None:
 def _unpacked_map(raw: dict[str, Any]) -> Array:
     for key in raw:
         if key not in ("packed", "shape"):
-            wrong(f"{WHERE}.{key} is not known; a packed map takes packed, shape.")
+            wrong(f"{WHERE}.{key} is not known; a packed map has the keys packed and shape.")
     shape = counts(raw.get("shape"), f"{WHERE}.shape")
     if shape[0] * shape[1] > MOST_NUMBERS:
         wrong(f"{WHERE}.shape is {list(shape)}; give at most {MOST_NUMBERS} pixels.")

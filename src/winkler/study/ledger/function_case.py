@@ -150,7 +150,7 @@ def read_function_case(path: Path) -> FunctionCase:
     for key in raw:
         if key not in CASE_KEYS:
             raise InvalidInput(
-                f"{path.name}: {key} is not known{suggest(key, CASE_KEYS)}; a case with [function] takes "
+                f"{path.name}: {key} is not known{suggest(key, CASE_KEYS)}; a case with [function] has "
                 f"{', '.join(CASE_KEYS)}."
             )
     table = raw["function"] if isinstance(raw["function"], dict) else {}

@@ -145,7 +145,7 @@ def _study(raw: dict[str, Any], text: str, path: Path) -> NanoindentationStudy:
         section = _section(raw["calibration"], UNITS["calibration"], "calibration")
         units, columns = _tables(section, "calibration")
         if "indenter" in raw:
-            raise InvalidInput("[indenter] is what a calibration finds; leave it out, or take [indentation].")
+            raise InvalidInput("[indenter] is what a calibration finds; leave it out, or use [indentation].")
         sources, references = _references(section.pop("reference", []), folder)
         terms = section.pop("terms", 0)
         if isinstance(terms, bool) or not isinstance(terms, int) or not 0 <= terms <= 8:

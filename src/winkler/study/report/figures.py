@@ -157,7 +157,15 @@ def answers_over(outcome: Outcome, *, pictured: bool = True) -> Iterator[ReportF
         return
     if len(outcome.points) < 2:
         return
-    yield from _varied(outcome, {name: outcome.answer(name)[..., 0] for name in _varying_answers(outcome, columns)})
+    given = [columns[axis.key] for axis in outcome.study.sweep]
+    names = [name for name in _answers_worth(outcome) if not _repeats(columns[name], given)] or outcome.answers
+    yield from _varied(outcome, {name: outcome.answer(name)[..., 0] for name in names})
+
+
+def _repeats(content: Array, given: list[Array]) -> bool:
+    """Return whether an answer is one of the varied keys again."""
+    known = np.isfinite(content)
+    return any(one.dtype.kind == "f" and np.array_equal(one[known], content[known]) for one in given)
 
 
 def _varied(outcome: Outcome, answers: dict[str, Array]) -> Iterator[ReportFigure]:
@@ -199,19 +207,6 @@ def _curves(study: Study, along: Axis) -> list[tuple[str, Any]]:
         texts = (setting_text(study, axis, axis.values[here]) for axis, here in zip(others, index, strict=True))
         curves.append((", ".join(texts), (*index[:place], slice(None), *index[place:])))
     return curves
-
-
-def _varying_answers(outcome: Outcome, columns: dict[str, Array]) -> list[str]:
-    """Return the answers worth a figure: numbers that vary and do not repeat a varied key."""
-    given = [columns[axis.key] for axis in outcome.study.sweep]
-    names = []
-    for name in outcome.answers:
-        finite = np.isfinite(columns[name])
-        content = columns[name][finite]
-        same = any(one.dtype.kind == "f" and np.array_equal(one[finite], content) for one in given)
-        if not same and not _checks(outcome, name) and variation_shows(name, columns):
-            names.append(name)
-    return names or list(outcome.answers)
 
 
 def _bars(outcome: Outcome, answers: dict[str, Array]) -> Iterator[ReportFigure]:

@@ -176,7 +176,7 @@ def _in_words(study: FitStudy) -> str:
         facts.append("The measured forces drive the contact, and the positions were fitted.")
     if study.spring_constant:
         facts.append(
-            f"The spring constant {with_unit(study.spring_constant, 'N/m')} was given, not taken from the files."
+            f"The spring constant {with_unit(study.spring_constant, 'N/m')} was given, not read from the files."
         )
     if study.sensitivity:
         facts.append(f"The sensitivity {with_unit(study.sensitivity, 'm/V')} was given.")
@@ -272,6 +272,6 @@ def _made(outcome: FitOutcome) -> str:
         "the study with its curves",
         f"<p class='small'>Curves: {safe(sources)}</p>",
         parts.folded("The study file, word for word", study.text) if study.text else "",
-        f"<p class='small'>All numbers with all digits: {CSV}, {NETCDF} (with every curve, model and residual){grid}, "
+        f"<p class='small'>All values with all digits: {CSV}, {NETCDF} (with every curve, model and residual){grid}, "
         f"and as text the first {MOST_CURVES_AS_TEXT} curves in the folder curves, beside this page.</p>",
     )

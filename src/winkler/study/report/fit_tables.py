@@ -33,11 +33,11 @@ def counts(outcome: FitOutcome) -> str:
 def answers(outcome: FitOutcome) -> str:
     """Return the numbers: of one curve with errors and correlations, of many in one table."""
     if len(outcome.fitted) == 1:
-        return section("Fitted numbers", _single(outcome, outcome.fitted[0]))
+        return section("Fitted parameters", _single(outcome, outcome.fitted[0]))
     cut = ""
     if len(outcome.results) > MOST_ROWS:
         cut = f"<p class='small'>The first {MOST_ROWS} of {len(outcome.results)} curves are shown; {CSV} holds all.</p>"
-    return section("Fitted numbers", _together(outcome), _many(outcome), cut)
+    return section("Fitted parameters", _together(outcome), _many(outcome), cut)
 
 
 def _single(outcome: FitOutcome, result: Fitted) -> str:
@@ -145,7 +145,7 @@ def doubts(outcome: FitOutcome) -> str:
             items.append(
                 f"<li><strong>{safe(name)}</strong>, {len(sentences)} times; the first: {safe(sentences[0])}</li>"
             )
-    return section("Doubts about the numbers", f"<ul>{''.join(items)}</ul>")
+    return section("Doubts about the parameters", f"<ul>{''.join(items)}</ul>")
 
 
 def failures(outcome: FitOutcome) -> str:

@@ -144,7 +144,7 @@ def _dataset(outcome: FitOutcome) -> tuple[Variables, Variables, dict[str, Any]]
     variables["correlation"] = (
         ("curve", "free", "other_free"),
         correlation,
-        {"units": "1", "long_name": "correlation of the errors of two numbers"},
+        {"units": "1", "long_name": "correlation of the errors of two parameters"},
     )
     variables |= {name: (("curve", "point"), points[name], netcdf_attributes(word)) for name, word in words.items()}
     return variables, coords, outcome.provenance.attributes(outcome.study.title, outcome.study.text)

@@ -93,7 +93,7 @@ def papers(content: Any) -> str:
             doi = safe(paper.doi)
             text = text.replace(f"doi:{doi}", f'<a href="https://doi.org/{doi}">doi:{doi}</a>')
         items.append(f"<li>{text}</li>")
-    lead = "<p>If you use these numbers, cite the papers on which they are based.</p>"
+    lead = "<p>If you use these results, cite the papers on which they are based.</p>"
     return section("Papers", lead, f'<ol class="papers">{"".join(items)}</ol>') if items else ""
 
 
@@ -110,13 +110,13 @@ def origin(made: Provenance, hashed: str, *parts: str) -> str:
     lines = [
         f'<tr><td>{safe(name)}</td><td class="wrap"><code>{safe(content)}</code></td></tr>' for name, content in rows
     ]
-    return section("Version and origin of the numbers", table([], lines), *parts)
+    return section("Version and origin of the results", table([], lines), *parts)
 
 
 def code_section(study: Study | FitStudy, name: str) -> str:
     """Return a section with a study or a fit as Python and as commands; `name` is that of its file."""
     return section(
-        "The same numbers elsewhere",
+        "The same results elsewhere",
         folded("As Python", python_text(study, name)),
         folded("As commands in a terminal", command_text(name, fits=isinstance(study, FitStudy))),
     )

@@ -146,6 +146,6 @@ def _readable(text: str) -> str:
 
 
 def _provenance(outcome: Outcome) -> str:
-    text = parts.folded("The study as a file; it gives the same numbers again", _readable(study_text(outcome.study)))
-    files = f"<p class='small'>All numbers with all digits: {CSV} and {NETCDF}, beside this page.</p>"
+    text = parts.folded("The study as a file; it gives the same results again", _readable(study_text(outcome.study)))
+    files = f"<p class='small'>All values with all digits: {CSV} and {NETCDF}, beside this page.</p>"
     return parts.origin(outcome.provenance, "the study", text, files)

@@ -276,7 +276,7 @@ def expected_section(verdicts: Iterable[tuple[ComparedNumber, str]]) -> str:
         lead += f" The first {MOST_ROWS} are shown, those that were missed first."
     heads = ["what", "", "#expected", "#came out", "#deviation", "#allowed"]
     rows = [_verdict(*pair) for pair in ranked[:MOST_ROWS]]
-    return section("Expected numbers", f"<p>{lead}</p>", table(heads, rows))
+    return section("Expected values", f"<p>{lead}</p>", table(heads, rows))
 
 
 def _verdict(verdict: ComparedNumber, point: str) -> str:

@@ -149,7 +149,7 @@ CONTACT: dict[str, Word] = {
     "glassy_compliance": Word("J_0", "1/Pa", "shear compliance of the immediate answer"),
     "compliances": Word("J_k", "1/Pa", "shear compliances that come with time"),
     "retardation_times": Word(r"\lambda_k", "s", "times in which they come"),
-    "fluidity": Word(r"\varphi", "1/(Pa s)", "rate at which a unit stress shears for ever"),
+    "fluidity": Word(r"\varphi", "1/(Pa s)", "steady shear rate per unit stress"),
     "time_scale": Word("t_0", "s", "time at which a power law has its modulus"),
     "shortest": Word(r"t_\mathrm{min}", "s", "shortest time at which a solid is known"),
     "longest": Word(r"t_\mathrm{max}", "s", "longest time at which a solid is known"),

@@ -9,7 +9,7 @@ __all__ = ["MOTION"]
 MOTION: dict[str, Word] = {
     # adhesion
     "law": Word("", None, "how the surfaces of the bodies act on each other"),
-    "work": Word("w", "J/m^2", "work of adhesion: what parting takes, per area"),
+    "work": Word("w", "J/m^2", "work of adhesion: energy per area of separation"),
     "work_closing": Word("w_c", "J/m^2", "what an advancing edge of the contact gains, per area"),
     "work_opening": Word("w_o", "J/m^2", "what a receding edge of the contact costs, per area"),
     "range": Word(r"\delta_0", "m", "how far the attraction reaches"),
@@ -20,7 +20,7 @@ MOTION: dict[str, Word] = {
     "pull_off": Word("", None, "point at which the contact separates under a dead load"),
     "pull": Word("F_w", "N", "force that attraction from afar adds"),
     "branches": Word("", None, "stretches of stable states"),
-    "jumps": Word("", None, "where the edge of the contact runs on by itself"),
+    "jumps": Word("", None, "where the edge of the contact becomes unstable"),
     "before": Word("", None, "machine and edge just before a jump"),
     "after": Word("", None, "machine and edge just after a jump"),
     "loss": Word(r"\Delta W", "J", "energy lost in a jump"),
@@ -68,7 +68,7 @@ MOTION: dict[str, Word] = {
     "stick_radius": Word("c", "m", "radius of the part of the contact that sticks"),
     "balance": Word("", "", "energy that is there and that is lost, over what there was at the beginning"),
     "duration": Word("T", "s", "how long the bodies touch"),
-    "restitution": Word("e", "", "velocity of parting over velocity of approach"),
+    "restitution": Word("e", "", "rebound velocity over approach velocity"),
     "yield_velocity": Word("v_Y", "m/s", "velocity of approach above which a body yields"),
     "lateral_restitution": Word("e_x", "", "restitution of the touching points along the surface"),
     "captured": Word("", "", "whether the body stays: 1 if it does, 0 if not"),

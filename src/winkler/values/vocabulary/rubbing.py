@@ -62,7 +62,7 @@ RUBBING: dict[str, Word] = {
     "worn_volume_per_length": Word("V'", "m^2", "what both bodies have lost, per length of the line"),
     "first_volume_per_length": Word("V'_1", "m^2", "what the first body has lost, per length of the line"),
     "second_volume_per_length": Word("V'_2", "m^2", "what the second body has lost, per length of the line"),
-    "core": Word("c", None, "the springs that stick for ever"),
+    "core": Word("c", None, "the springs that always stick"),
     # conduction
     "conductors": Word("", None, "what the bodies conduct, and what lies between them"),
     "conductor": Word("", None, "what a body is made of"),

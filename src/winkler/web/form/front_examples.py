@@ -94,7 +94,7 @@ QUESTIONS = (
     ),
     FrontExample(
         "What does it cost per cycle?",
-        "How much energy does a ball of steel lose that is pushed to and fro?",
+        "How much energy does a ball of steel lose that is pushed back and forth?",
         "friction_damping",
         {SECOND: dict(STEEL)},
     ),

@@ -328,7 +328,7 @@ class Solid(ui.element, component="solid.js"):
 
 NOT_PINNED = (BODY_PICTURE, "springs")
 """Pictures of bodies, over which nothing else is drawn."""
-FORMATS = {"png": "PNG", "svg": "SVG", "csv": "CSV: the numbers of the curves"}
+FORMATS = {"png": "PNG", "svg": "SVG", "csv": "CSV: the values of the curves"}
 
 
 class Card:

@@ -153,7 +153,7 @@ class Files:
         if self.upload_folder.curves_in(CURVES):
             self.uploaded(CURVES)
         if refused:
-            more = f" {len(refused) - 1} more files were not taken." if len(refused) > 1 else ""
+            more = f" {len(refused) - 1} more files were not accepted." if len(refused) > 1 else ""
             self.wrong(f"{refused[0]}{more}")
 
     def take_study(self, text: str) -> None:
@@ -168,7 +168,7 @@ class Files:
 
 def _refused() -> None:
     """Show why a file was refused."""
-    ui.notify(f"The file is not taken: it has more than {LARGEST / 1e6:.0f} MB, or another ending.", type="negative")
+    ui.notify(f"The file is not accepted: it has more than {LARGEST / 1e6:.0f} MB, or another ending.", type="negative")
 
 
 def _picker(upload: ui.upload, *, folder: bool = False) -> str:

@@ -121,7 +121,7 @@ class Security:
         except _TooLarge:
             if response.begun:
                 raise
-            await _say(send, 413, f"At most {self.largest / 1e6:.0f} MB are taken at once.")
+            await _say(send, 413, f"At most {self.largest / 1e6:.0f} MB are accepted at once.")
 
     def _policy(self, nonce: str) -> str:
         """Return the content security policy of a page.

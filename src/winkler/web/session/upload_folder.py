@@ -109,7 +109,7 @@ class UploadFolder:
         """
         if len(content) > LARGEST:
             raise InvalidInput(
-                f"'{name}' has {len(content) / 1e6:.1f} MB; at most {LARGEST / 1e6:.0f} MB are taken. Thin it out."
+                f"'{name}' has {len(content) / 1e6:.1f} MB; at most {LARGEST / 1e6:.0f} MB are accepted. Thin it out."
             )
         if not content and not inside:  # in a folder it gets a row that says so
             raise InvalidInput(f"'{name}' is empty; give a file with numbers.")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
+from winkler.study.chapters.answer import TENSE, Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.kind import is_a, kind
 from winkler.study.chapters.normal import MODULUS, ONSET, STRONG
 
@@ -279,6 +279,7 @@ LINE = Chapter(
             "barquins_1988",
             "chaudhury_1996",
             "baney_hui_1997",
+            unstressed=TENSE,
             question="How strongly does a roller, a fibre or another long body stick?",
             page="chapters/line-adhesion.md",
             en="sticky cylinder fibre fiber nanowire nanotube roller adhesion jkr cylinder peel line gecko adhering strip crossed nanotubes fibres carbon nanotube on a substrate cylinder jkr rod sticks",

@@ -60,7 +60,7 @@ LINE_FRICTION = Chapter(
             "jaeger_1995",
             "ciavarella_1998",
             "nowell_hills_1987",
-            question="Where does a pressed cylinder slip when it is pushed to and fro, also under a bulk stress?",
+            question="Where does a pressed cylinder slip when it is pushed back and forth, also under a bulk stress?",
             page="chapters/line-friction.md",
             en="fretting cylinder dovetail blade root fretting fatigue bulk stress tension cattaneo mindlin line contact stick slip shear roller partial slip press fit spline turbine blade root attachment fir tree dovetail joint lug interference shear on cylinder rope wires",
             de="reibkorrosion schwingreibverschleiss schwalbenschwanz schaufelfuss zylinder reibung haften gleiten teilschlupf linienkontakt presssitz turbinenschaufelfuss tannenbaum reibschluss schlupfwelle",

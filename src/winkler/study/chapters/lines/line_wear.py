@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
+from winkler.study.chapters.answer import WORN_SHAPE, Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.lines.line import LOAD, LOAD_PROFILE, PRESSURE, ROLLER
 from winkler.study.chapters.normal import MODULUS
 
@@ -44,6 +44,7 @@ LINE_WEAR = Chapter(
             "winkler.problems.wear.line_fretting:LineFrettingWear",
             "archard_1953",
             "ciavarella_hills_1999",
+            unstressed=WORN_SHAPE,
             question="How does a fretting cylinder, spline or tube wear?",
             page="chapters/line-wear.md",
             en="fretting wear cylinder spline worn line contact tube support steam generator tube wear key spline tooth fretting key joint rope strand tube against support",
@@ -69,6 +70,7 @@ LINE_WEAR = Chapter(
         "line_sliding_wear": answer(
             "winkler.problems.wear.line_sliding:LineSlidingWear",
             "archard_1953",
+            unstressed=WORN_SHAPE,
             question="How does a sliding roller, block or blade wear?",
             page="chapters/line-wear.md#sliding",
             en="roller wears block on ring wear cam wear piston ring wear cylinder sliding wear archard line blade",
@@ -98,6 +100,7 @@ LINE_WEAR = Chapter(
             "winkler.problems.wear.line_limiting_profile:LineLimitingProfile",
             "ciavarella_hills_1999",
             "popov_2014",
+            unstressed=WORN_SHAPE,
             question="Which shape does a fretting line contact have in the end?",
             page="chapters/line-wear.md",
             en="final worn shape line contact end of fretting cylinder steady worn profile spline form after long fretting",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
+from winkler.study.chapters.answer import WORN_SHAPE, Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.maps.pressed_maps import PRESSED
 from winkler.study.chapters.rough import ELEMENTS, STAMP
 
@@ -28,6 +28,7 @@ SURFACE_WEAR = Chapter(
     answers={
         "surface_wear": answer(
             "winkler.problems.surface_wear.wear:SurfaceWear",
+            unstressed=WORN_SHAPE,
             question="How does a measured or rough surface run in while it slides?",
             page="chapters/surfaces/surface-wear.md",
             en="running-in wear of rough surface worn map smoothing polishing topography after wear asperity wear cylinder liner mild wear roughness evolution plateau honing honed liner run-in surfaces mating asperities flatten while running in",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
+from winkler.study.chapters.answer import YIELDED, Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.kind import kind
 from winkler.study.chapters.normal import STRONG, normal_formulas
 
@@ -57,6 +57,7 @@ PLASTIC = Chapter(
     answers={
         "plastic_indentation": answer(
             "winkler.problems.plastic.indentation:PlasticIndentation",
+            unstressed=YIELDED,
             question="Which dent does a ball, a cone or a tip leave in a metal, and under which force?",
             page="chapters/metals.md",
             key="dent",
@@ -80,6 +81,7 @@ PLASTIC = Chapter(
         "dent_limit": answer(
             "winkler.problems.plastic.dent_limit:DentLimit",
             "johnson_1985",
+            unstressed=YIELDED,
             question="Which load leaves a dent of a given depth?",
             page="chapters/metals.md#the-load-that-a-dent-allows",
             en="load that leaves a dent of a given depth dent of a ten-thousandth of the ball diameter allowed permanent deformation of rolling element and raceway load for an allowed residual dent",
@@ -99,6 +101,7 @@ PLASTIC = Chapter(
         "strength_from_dent": answer(
             "winkler.problems.plastic.strength_from_dent:StrengthFromDent",
             "johnson_1985",
+            unstressed=YIELDED,
             question="Which strength does a metal have, from dents of known loads or from rebounds of balls?",
             page="chapters/metals.md#the-strength-that-a-dent-tells",
             en="strength from a dent yield strength from the diameter of an indentation strength from ball indentation test meyer hardness yield strength from hardness strength from restitution strength from rebound dynamic strength from drop tests",
@@ -119,6 +122,7 @@ PLASTIC = Chapter(
         ),
         "plastic_impact": answer(
             "winkler.problems.plastic.impact:PlasticImpact",
+            unstressed=YIELDED,
             question="How does a ball bounce off a metal that yields, and which dent does it leave?",
             page="chapters/metals.md#struck",
             key="metal",

@@ -92,8 +92,8 @@ def _of_many(outcome: FitOutcome, free: Free) -> Iterator[str]:
         yield f"The curves scatter less in {free.label} than their errors allow: the interval is that of the scatter."
     if made.doubted:
         yield (
-            f"The error of {free.label} is less than a tenth of the others', or unknown, and theirs was taken, as it "
-            f"would decide the mean: {_names(outcome, made.doubted)}."
+            f"The error of {free.label} is less than a tenth of the others', or unknown. It was replaced by theirs, "
+            f"since it would decide the mean: {_names(outcome, made.doubted)}."
         )
     for place in made.decisive:
         name, share = outcome.independent[place].name, made.weights[place]

@@ -91,7 +91,7 @@ def curve_facts(outcome: FitOutcome, result: Fitted) -> str:
         ("sensitivity", f"{with_unit(study.sensitivity, 'm/V')}, given in the study" if study.sensitivity else
          "none was given: that of the file, if it holds volts"),
         ("frame stiffness", with_unit(study.frame_stiffness, "N/m") if math.isfinite(study.frame_stiffness) else
-         "none: the frame is taken as stiff"),
+         "none: the frame is assumed stiff"),
         ("noise", f"{with_unit(result.fit.noise, study.spread.unit)}, "
          + ("given in the study" if study.noise else "estimated from the points out of contact")),
         *((f"correction {number}", step) for number, step in enumerate(result.steps, 1)),
@@ -99,7 +99,7 @@ def curve_facts(outcome: FitOutcome, result: Fitted) -> str:
     if not result.steps:
         rows.append(("corrections", "none: it was fitted as it was measured"))
     lines = [f'<tr><td>{safe(name)}</td><td class="text wrap">{safe(content)}</td></tr>' for name, content in rows]
-    return section("Basis of these numbers", table([], lines))
+    return section("Basis of these values", table([], lines))
 
 
 def _stiffness(study: FitStudy, stiffness: float) -> str:

@@ -26,6 +26,7 @@ from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.normal.strong_parts import StrongPart, solid_parts, strong_parts
 from winkler.study.batch.points import SolvedPoint
+from winkler.study.chapters.contents import answer_of
 from winkler.study.report.headline.shown_contact import medium_of, stressed_contact
 from winkler.values.errors import OutsideValidity, WinklerError
 from winkler.values.readable import with_unit
@@ -304,7 +305,7 @@ def _pressed_strip(point: SolvedPoint) -> ElasticState | None:
     forces = np.array([np.max(getattr(one, "force_per_length", 0.0)) for one in point.each])
     found = point.each[int(np.flatnonzero(forces >= (1.0 - SAME_WIDTH) * np.max(forces))[-1])]
     half, parts = float(np.max(getattr(found, "half_width", 0.0))), _plain_parts(medium_of(found))
-    if not (half > 0.0 and parts and callable(getattr(found, "pressure", None))) or _is_worn(point):
+    if not (half > 0.0 and parts and callable(getattr(found, "pressure", None))) or answer_of(point.problem).unstressed:
         return None
     from winkler.numerics.surfaces.strip_elements import linear_potential
     from winkler.problems.line.stress import fields_of
@@ -321,10 +322,6 @@ def _pressed_strip(point: SolvedPoint) -> ElasticState | None:
     when = getattr(found, "time", None)
     under = FRICTIONLESS if when is None else f"{FRICTIONLESS}, after {with_unit(float(np.max(when)), 's')}"
     return _state(parts, _below_places(low, high, stress), float(np.max(pressure)), "N/m", under)[1]
-
-
-def _is_worn(point: SolvedPoint) -> bool:
-    return any(name.startswith("worn_") for name in point.answers)
 
 
 def _below_places(low: float, high: float, stresses: Callable[[StrongPart, Array, Array], Any]) -> Search:
@@ -485,27 +482,22 @@ def _state_of(problem: Any, solution: Any, index: int) -> Any:
 def unknown_because(point: SolvedPoint) -> str:
     """Return why the stresses of a contact are not stated, and which kind states them; empty where no load is known.
 
-    It goes by what the answer holds: wear, a dent, time, tension at the edge, and else by its bodies.
+    The record of the problem names wear, a dent or tension at the edge; else its bodies are the reason.
 
     Parameters
     ----------
     point
         A solved point whose stresses are not known.
     """
-    held, medium = set(point.answers), medium_of(stressed_contact(point))
-    if not held & LOADED:
+    if not point.answers.keys() & LOADED:
         return ""
-    line = any(name.endswith("_per_length") for name in held)
+    line, medium = "force_per_length" in point.answers, medium_of(stressed_contact(point))
     elastic = "line_indentation" if line else "indentation"
-    if _is_worn(point):
-        return f"the pressure of a worn shape is known at single places only; {elastic} states them before wear"
-    if held & {"residual_depth", "yield_depth", "yield_velocity"} or hasattr(point.solution, "elastic_peak_pressure"):
-        return "a metal that has yielded bears its strength; plastic_indentation states the load at which it yields"
+    if reason := answer_of(point.problem).unstressed:
+        return reason.format(elastic)
     if _plain_parts(medium) and not isinstance(medium, HalfSpace):
         other = f"{'' if line else 'viscoelastic_indentation or, with one modulus, '}{elastic} states them"
         return f"the pressure depends on the history of the load; {other}"
-    if any("pull_off" in name for name in held) or hasattr(point.problem, "adhesion"):
-        return f"the edge is under tension that is infinite or has a range; {elastic} states them without adhesion"
     if not isinstance(medium, HalfSpace):
         return f"they are not implemented in these bodies; {elastic} states them for homogeneous elastic ones"
     return f"this answer holds no pressure at each place; {elastic} or surface_contact states them"

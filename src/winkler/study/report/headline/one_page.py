@@ -76,7 +76,7 @@ def laid_out(outcome: Outcome, shown: tuple[ReportFigure, ...]) -> Figure:
     above.gap()
     doubt = doubt_of(outcome)
     if doubt.standing is Standing.OUTSIDE:
-        above.write(f"Do not use these numbers: {with_readable_numbers(doubt.statement)} {doubt.advice}", bold=True)
+        above.write(f"Do not use these results: {with_readable_numbers(doubt.statement)} {doubt.advice}", bold=True)
     elif sentence := headline(outcome):
         above.write(sentence, bold=True)
     above.gap()
