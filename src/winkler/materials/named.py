@@ -170,19 +170,16 @@ def other_names(name: str) -> tuple[str, ...]:
 
 
 def materials_called(word: str) -> tuple[str, ...]:
-    """Return the materials that have a word in their name or in one of their other names, such as ``steel``.
+    """Return the materials that have a word in one of their names in English, German or French, such as ``steel``.
 
     Examples
     --------
     >>> materials_called("carbide")
     ('tungsten carbide', 'silicon carbide')
     """
-    told = word.strip().lower()
-    called = re.compile(rf"\b{re.escape(told)}\b") if told else None
+    sought = re.compile(rf"\b{re.escape(word.strip())}\b", re.IGNORECASE)
     rows = _table()["materials"].items()
-    return tuple(
-        name for name, row in rows if called and any(called.search(each.lower()) for each in (name, *row["also"]))
-    )
+    return tuple(name for name, row in rows if word.strip() and any(map(sought.search, (name, *row["also"]))))
 
 
 def material(name: str) -> NamedMaterial:
@@ -253,9 +250,7 @@ def _made(name: str) -> NamedMaterial:
     for quantity in [key for key in row if key not in ("sort", "also")]:
         number, source, *spread = row[quantity]
         ranged = "; range: " * bool(spread[1:]) + " and ".join(sources[other] for other in spread[1:])
-        figures.append(
-            TabulatedProperty(quantity, number, sources[source] + ranged, tuple(spread[0]) if spread else None)
-        )
+        figures.append(TabulatedProperty(quantity, number, sources[source] + ranged, *map(tuple, spread[:1])))
     return NamedMaterial(name, row["sort"], tuple(figures))
 
 
