@@ -217,8 +217,8 @@ def test_metals_are_about_three_times_as_hard_as_strong(name):
 FOREIGN = {
     "Stahl": "tool steel", "acier": "bearing steel", "Wälzlagerstahl": "bearing steel", "acier inoxydable": "stainless",
     "Messing": "brass", "laiton": "brass", "Gummi": "natural rubber", "caoutchouc": "natural rubber",
-    "verre": "soda-lime glass", "Glas": "soda-lime glass", "Kupfer": "copper", "étain": "white tin", "Grauguss": "grey cast",
-    "fonte": "ductile", "Hartmetall": "tungsten carbide", "nitrure de silicium": "silicon nitride",
+    "verre": "soda-lime glass", "Glas": "soda-lime glass", "Kupfer": "copper", "étain": "white tin",
+    "Grauguss": "grey cast", "fonte": "ductile", "Hartmetall": "tungsten carbide", "nitrure de silicium": "silicon nitride",
     "Quarzglas": "silica", "Silizium": "silicon", "Saphir": "sapphire", "Keramik": "zirconia",
     "Polystyrol": "polystyrene", "Rubin": "sapphire", "Titanlegierung": "titanium alloy", "Kunststoff": "POM",
 }  # fmt: skip
