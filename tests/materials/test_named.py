@@ -218,7 +218,8 @@ FOREIGN = {
     "Stahl": "tool steel", "acier": "bearing steel", "Wälzlagerstahl": "bearing steel", "acier inoxydable": "stainless",
     "Messing": "brass", "laiton": "brass", "Gummi": "natural rubber", "caoutchouc": "natural rubber",
     "verre": "soda-lime glass", "Glas": "soda-lime glass", "Kupfer": "copper", "étain": "white tin",
-    "Grauguss": "grey cast", "fonte": "ductile", "Hartmetall": "tungsten carbide", "nitrure de silicium": "silicon nitride",
+    "Grauguss": "grey cast", "fonte": "ductile", "Hartmetall": "tungsten carbide",
+    "nitrure de silicium": "silicon nitride",
     "Quarzglas": "silica", "Silizium": "silicon", "Saphir": "sapphire", "Keramik": "zirconia",
     "Polystyrol": "polystyrene", "Rubin": "sapphire", "Titanlegierung": "titanium alloy", "Kunststoff": "POM",
 }  # fmt: skip
