@@ -38,13 +38,15 @@ QI = (
     "M. C. Boyce, Rubber Chem. Technol. 76 (2003) 419, doi:10.5254/1.3547752"
 )
 OTHER_ENDS = {
-    "a": "; the other end of the range: A. N. Gent, Rubber Chem. Technol. 31 (1958) 896, doi:10.5254/1.3542351",
+    "a": "A. N. Gent, Rubber Chem. Technol. 31 (1958) 896, doi:10.5254/1.3542351",
     "d": (
-        "; the other end of the range: the cone of 30 degrees and the spring of 0.4445 N a point over 2.5 mm of "
-        "ASTM D2240, by I. N. Sneddon, Int. J. Eng. Sci. 3 (1965) 47, doi:10.1016/0020-7225(65)90019-4"
+        "the cone of 30 degrees and the spring of 0.4445 N a point over 2.5 mm of ASTM D2240, by I. N. Sneddon, "
+        "Int. J. Eng. Sci. 3 (1965) 47, doi:10.1016/0020-7225(65)90019-4"
     ),
 }
 """Scale -> source of the second relation between hardness and modulus."""
+TOLERANCE = 5.0
+"""Of the hardness of rubber as it is sold, in points: silicone.pro, tolerance of the trade."""
 CONE_ANGLE, CONE_SPRING, CONE_STROKE = math.radians(15.0), 0.4445, 2.5e-3
 """Of the durometer of scale D: half the angle at the tip, force of one point [N], travel from 0 to 100 [m]."""
 
@@ -168,19 +170,16 @@ def other_names(name: str) -> tuple[str, ...]:
 
 
 def materials_called(word: str) -> tuple[str, ...]:
-    """Return the materials that have a word in their name or in one of their other names, such as ``steel``.
+    """Return the materials that have a word in one of their names in English, German or French, such as ``steel``.
 
     Examples
     --------
     >>> materials_called("carbide")
     ('tungsten carbide', 'silicon carbide')
     """
-    told = word.strip().lower()
-    called = re.compile(rf"\b{re.escape(told)}\b") if told else None
+    sought = re.compile(rf"\b{re.escape(word.strip())}\b", re.IGNORECASE)
     rows = _table()["materials"].items()
-    return tuple(
-        name for name, row in rows if called and any(called.search(each.lower()) for each in (name, *row["also"]))
-    )
+    return tuple(name for name, row in rows if word.strip() and any(map(sought.search, (name, *row["also"]))))
 
 
 def material(name: str) -> NamedMaterial:
@@ -191,8 +190,8 @@ def material(name: str) -> NamedMaterial:
     name : str
         For example ``"fused silica"``; common synonyms are accepted. Capitals matter only if they distinguish two
         materials (``"tin"`` is the metal, ``"TiN"`` titanium nitride). ``"Shore A 60"`` is a rubber of that hardness
-        (20 to 80 of scale A, 30 to 85 of scale D). The modulus follows from two published relations; their difference
-        is the spread.
+        (20 to 80 of scale A, 30 to 85 of scale D). The spread covers two published relations, and 5 points of
+        tolerance of the hardness.
 
     Raises
     ------
@@ -223,23 +222,26 @@ def material(name: str) -> NamedMaterial:
 
 def _rubber(scale: str, hardness: float) -> NamedMaterial:
     """Return the rubber of a Shore hardness."""
-    least, greatest, added = SHORE_RANGES[scale]
+    least, greatest, _ = SHORE_RANGES[scale]
     if not least <= hardness <= greatest:
         raise InvalidInput(
             f"the hardness {hardness:g} of scale {scale.upper()} is out of the range of {least:g} to {greatest:g} in "
             "which a modulus is known; give a Young's modulus."
         )
-    young = 1e6 * 10.0 ** (0.0235 * (hardness + added) - 0.6403)
-    if scale == "a":
-        other = 1e6 * 0.0981 * (56.0 + 7.62336 * hardness) / (0.137505 * (254.0 - 2.54 * hardness))
-    else:
-        depth = CONE_STROKE * (1.0 - hardness / 100.0)
-        other = 0.75 * CONE_SPRING * hardness * math.pi / (2.0 * math.tan(CONE_ANGLE) * depth**2)
-    figures = (
-        TabulatedProperty("young", young, QI + OTHER_ENDS[scale], (min(young, other), max(young, other))),
-        TabulatedProperty("poisson", 0.5, _table()["sources"]["incompressible"]),
-    )
+    young = _moduli(scale, hardness)[0]
+    ends = min(_moduli(scale, hardness - TOLERANCE)), max(_moduli(scale, hardness + TOLERANCE))
+    source = f"{QI}; range: this and {OTHER_ENDS[scale]}, at {TOLERANCE:g} points less and more"
+    figures = (TabulatedProperty("young", young, source, ends), _made("natural rubber").figures[1])
     return NamedMaterial(f"Shore {scale.upper()} {hardness:g}", "rubber, by its hardness", figures)
+
+
+def _moduli(scale: str, hardness: float) -> tuple[float, float]:
+    """Return the Young's moduli [Pa] of both relations."""
+    young = 1e6 * 10.0 ** (0.0235 * (hardness + SHORE_RANGES[scale][2]) - 0.6403)
+    if scale == "a":
+        return young, 1e6 * 0.0981 * (56.0 + 7.62336 * hardness) / (0.137505 * (254.0 - 2.54 * hardness))
+    depth = CONE_STROKE * (1.0 - hardness / 100.0)
+    return young, 0.75 * CONE_SPRING * hardness * math.pi / (2.0 * math.tan(CONE_ANGLE) * depth**2)
 
 
 def _made(name: str) -> NamedMaterial:
@@ -248,9 +250,7 @@ def _made(name: str) -> NamedMaterial:
     for quantity in [key for key in row if key not in ("sort", "also")]:
         number, source, *spread = row[quantity]
         ranged = "; range: " * bool(spread[1:]) + " and ".join(sources[other] for other in spread[1:])
-        figures.append(
-            TabulatedProperty(quantity, number, sources[source] + ranged, tuple(spread[0]) if spread else None)
-        )
+        figures.append(TabulatedProperty(quantity, number, sources[source] + ranged, *map(tuple, spread[:1])))
     return NamedMaterial(name, row["sort"], tuple(figures))
 
 
