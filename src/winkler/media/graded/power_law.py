@@ -28,16 +28,14 @@ from winkler.media.graded import power_law_interior
 from winkler.media.graded.profile import transform
 from winkler.media.medium import Displacement, PunchFacts, exact_response, rigid_body
 from winkler.media.punch_field import BodyField
+from winkler.numerics.panels.abel_intervals import root_difference
 from winkler.numerics.transforms import graded_abel
-from winkler.numerics.transforms.abel_intervals import root_difference
 from winkler.numerics.transforms.graded_pressure import pressure as graded_pressure
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
-
-__all__ = ["GradedHalfSpace"]
 
 Body = PowerLawGraded | Rigid
 BOOKER = "J. R. Booker, N. P. Balaam, E. H. Davis, Int. J. Numer. Anal. Methods Geomech. 9 (1985) 369-381"

@@ -26,7 +26,7 @@ import numpy as np
 
 from winkler.numerics.integrals.adaptive_quadrature import settled
 from winkler.numerics.integrals.jacobi_quadrature import settled_power
-from winkler.numerics.transforms.abel_intervals import noise, pieces, root_difference
+from winkler.numerics.panels.abel_intervals import noise, pieces, root_difference
 from winkler.numerics.types import Array, Curve
 
 Kinks = Sequence[tuple[float, float]]

@@ -18,7 +18,7 @@ from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.media.offers import offers
 from winkler.media.relaxing.by_waves import RelaxingByWaves
-from winkler.numerics.transforms.abel_intervals import root_difference
+from winkler.numerics.panels.abel_intervals import root_difference
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.line.approach import Place
 from winkler.problems.line.peak_pressure import peak_pressure
@@ -32,8 +32,6 @@ from winkler.problems.line_viscoelastic.layered_strips import (
 from winkler.problems.line_viscoelastic.sinking import approach_of_strips
 from winkler.values.checks.place_checks import finite_places
 from winkler.values.value import value, words
-
-__all__ = ["LineViscoelasticState"]
 
 BLOCK = 2**20
 """Pairs of places and strips in one go."""

@@ -42,7 +42,7 @@ from winkler.loading.loads import Depth, Force
 from winkler.loading.path import OnePositiveNormal
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.equations.roots import between
-from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.integrals.quadrature import gauss_legendre, panel_nodes
 from winkler.numerics.springs.exponential_sums import CreepSeries
 from winkler.numerics.springs.free_relaxation import Recovery
 from winkler.numerics.springs.spring_pass import pass_over
@@ -387,14 +387,12 @@ def _waves() -> tuple[Array, Array, Array]:
     """Return wave numbers, their weights, and what every corner of a load between -1 and 1 gives to them."""
     corner = np.linspace(-1.0, 1.0, LINE_PIECES + 1)
     edges = np.concatenate([np.geomspace(LEAST_WAVE_NUMBER, 1.0, 37), np.arange(3.0, GREATEST_WAVE_NUMBER + 1.0, 2.0)])
-    node, share = gauss_legendre(8)
-    middle, half = 0.5 * (edges[1:] + edges[:-1]), 0.5 * np.diff(edges)
-    number = (middle[:, None] + half[:, None] * node).ravel()
+    number, weight = panel_nodes(edges, 8)
     # a load that is straight between corners is a sum of hats, all with the same transform but for their place
     step = 2.0 / LINE_PIECES
     hat = step * np.sinc(number * step / (2.0 * np.pi)) ** 2
     angle = number[:, None] * corner
-    return number, (half[:, None] * share).ravel() * hat**2, np.stack([np.cos(angle), np.sin(angle)])
+    return number, weight * hat**2, np.stack([np.cos(angle), np.sin(angle)])
 
 
 def share_of_line(creep: CreepSeries, speed: float, position: Array, loads: Array) -> float:
