@@ -41,8 +41,6 @@ from winkler.values.checks.number_checks import Advice
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.value import value
 
-__all__ = ["PowerLawLineFoundation"]
-
 NODES = 48
 
 

@@ -20,8 +20,6 @@ from winkler.profiles.measured import Measured
 from winkler.profiles.smoothing import Spline
 from winkler.values.value import value
 
-__all__ = ["designed", "measured"]
-
 TOLERANCE = 1e-11
 """Error of g' on panels, relative to the steepest slope of the profile."""
 

@@ -35,8 +35,6 @@ from winkler.numerics.transforms.cosine_transform import NODES
 from winkler.numerics.types import Array
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["field", "sunk"]
-
 LARGEST_WAVE_NUMBER = 3000.0
 """Largest wave number, over the contact radius, near the surface."""
 DECAY_DEPTH = 34.0

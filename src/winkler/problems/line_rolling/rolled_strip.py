@@ -39,8 +39,6 @@ from winkler.numerics.surfaces.strip_grid import first_to_stick
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["RolledStrip", "creepage_error", "load_growth", "loss_error", "rolled_strip", "sliding_creepage"]
-
 COUNT = 400
 """Elements of the strip."""
 ALL_AT_ONCE, MOST_ROUNDS, MOST_WIDTHS = 30, 60, 60
