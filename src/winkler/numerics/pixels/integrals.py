@@ -59,7 +59,7 @@ def over_pixels(kernel: RadialPart, shape: tuple[int, int], pixel: tuple[float, 
     """
     dx, dy = pixel
     farthest, side = math.hypot(shape[0] * dx, shape[1] * dy), max(dx, dy)
-    near = tuple(min(n, math.ceil(FAR_ZONES[0][0] * side / d) + 1) for n, d in zip(shape, (dx, dy), strict=True))
+    nx, ny = (min(n, math.ceil(FAR_ZONES[0][0] * side / d) + 1) for n, d in zip(shape, pixel, strict=True))
     x, y = np.arange(shape[0]) * dx, np.arange(shape[1]) * dy
     result = np.empty(shape)
     far = np.hypot(x[:, None], y[None, :]) / side
@@ -69,10 +69,8 @@ def over_pixels(kernel: RadialPart, shape: tuple[int, int], pixel: tuple[float, 
         if rows.size:
             spline = _far_spline(kernel, start * side, farthest)
             result[rows, columns] = _gauss(spline, x[rows], y[columns], (dx, dy), count)
-    close = from_corners(functools.partial(_corners, kernel), near, pixel)
-    result[: near[0], : near[1]] = np.where(
-        far[: near[0], : near[1]] < FAR_ZONES[0][0], close, result[: near[0], : near[1]]
-    )
+    close = from_corners(functools.partial(_corners, kernel), (nx, ny), pixel)
+    result[:nx, :ny] = np.where(far[:nx, :ny] < FAR_ZONES[0][0], close, result[:nx, :ny])
     return result
 
 

@@ -43,6 +43,11 @@ def first_above(low: float) -> float:
     return math.nextafter(low, math.inf) if low > 0.0 else 0.0
 
 
+def right_cosine(k: float) -> float:
+    """Return cos(k pi/2), exact to the last digit near k = 1."""
+    return math.sin(0.5 * math.pi * (1.0 - abs(k)))
+
+
 def half_beta(k: float) -> float:
     """Return the integral of cos^k over a right angle: g'(0) / f'(0)."""
     return 0.5 * math.sqrt(math.pi) * math.exp(math.lgamma(0.5 * (1.0 + k)) - math.lgamma(1.0 + 0.5 * k))

@@ -20,6 +20,7 @@ import numpy as np
 from winkler.numerics.chunks import chunks
 from winkler.numerics.integrals.quadrature import gauss_legendre, tanh_sinh
 from winkler.numerics.panels.abel_intervals import root_difference
+from winkler.numerics.transforms.graded_abel import right_cosine
 from winkler.numerics.types import Array, Curve
 
 __all__ = [
@@ -66,7 +67,7 @@ class RingSprings(NamedTuple):
 
     def cosine(self) -> float:
         """cos(k pi / 2)."""
-        return math.sin(0.5 * math.pi * (1.0 - abs(self.exponent)))
+        return right_cosine(self.exponent)
 
     def amplitude(self, strength: float) -> float:
         """Return A."""
