@@ -38,11 +38,9 @@ class RadialPart(Protocol):
 
     def at(self, r: Array) -> Array:
         """Return k(r), r > 0."""
-        ...
 
     def within(self, r: Array) -> Array:
         """Return Q(r), the integral of k r from 0 to r."""
-        ...
 
 
 def over_pixels(kernel: RadialPart, shape: tuple[int, int], pixel: tuple[float, float]) -> Array:

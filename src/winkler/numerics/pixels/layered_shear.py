@@ -38,7 +38,6 @@ class ShearResponse(WaveResponse, Protocol):
     @property
     def compressed(self) -> float:
         """The limit of (1 + M) / xi for long waves [m]; infinite on a half-space."""
-        ...
 
 
 class LayeredShear(NamedTuple):

@@ -51,26 +51,21 @@ class WaveResponse(Protocol):
     @property
     def length(self) -> float:
         """M decays like exp(-2 xi length) [m]."""
-        ...
 
     @property
     def smooth(self) -> float:
         """C is smooth on this length [m], but for a logarithm rounded off over `length`; `length` if it has none."""
-        ...
 
     @property
     def span(self) -> float:
         """M is a power series in xi below the inverse of this length [m]."""
-        ...
 
     @property
     def precision(self) -> float:
         """Error of M, relative to its largest value or to 0.03: it is smooth down to that."""
-        ...
 
     def excess(self, xi: ComplexArray) -> ComplexArray:
         """M(xi) [-], analytic near the positive axis, ``(m,)``."""
-        ...
 
 
 class SurfaceResponse(WaveResponse, Protocol):
@@ -79,7 +74,6 @@ class SurfaceResponse(WaveResponse, Protocol):
     @property
     def modulus(self) -> float:
         """E*, G*, m_L or m_T [Pa] of the surface and the other body: C = 2 (1 + M) / (modulus xi)."""
-        ...
 
 
 @value
