@@ -25,6 +25,7 @@ import math
 
 import numpy as np
 
+from winkler.numerics.chunks import chunks
 from winkler.numerics.fields.line_source import LineSource
 from winkler.numerics.fields.round_source import line_source
 from winkler.numerics.fields.warmest_place import PeakTemperature
@@ -97,10 +98,8 @@ class EllipticSource:
         inside = (flat_x / self.along) ** 2 + (flat_y / self.across) ** 2 <= 1.0
         result = np.empty(flat_x.size)
         theta, share = self._directions(wave, angle)
-        rows = max(1, CHUNK // theta.size)
         (within,), (beside,) = np.nonzero(inside), np.nonzero(~inside)
-        for start in range(0, within.size, rows):
-            here = within[start : start + rows]
+        for here in (within[part] for part in chunks(within.size, theta.size, CHUNK)):
             result[here] = self._sums(wave, angle, theta, flat_x[here], flat_y[here])[0] @ share
         for place in beside:
             theta, share = self._directions(wave, angle, (flat_x[place], flat_y[place]))

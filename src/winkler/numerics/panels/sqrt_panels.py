@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from winkler.numerics.integrals.quadrature import gauss_legendre, tanh_sinh
+from winkler.numerics.integrals.quadrature import gauss_legendre, growing, tanh_sinh
 from winkler.numerics.panels.abel_intervals import root_difference
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
@@ -30,10 +30,7 @@ def doubled(kinks: Sequence[float], end: float) -> Array:
     inner = sorted({b for b in kinks if 0.0 < b < end})
     places = list(inner)
     for b, following in zip(inner, [*inner, end][1:], strict=True):
-        twice = 2.0 * b
-        while twice < following:
-            places.append(twice)
-            twice *= 2.0
+        places += growing(2.0 * b, following, 2.0)
     return np.array(sorted(places))
 
 
