@@ -250,7 +250,7 @@ APPROXIMATE = Note(
     "The pressure of a sliding contact is not axisymmetric. For every body of revolution the resistance computed with "
     "springs is twice the true one at low speed, and correct at high speed. In `shear_force` the resistance of the "
     "springs is corrected under the assumption of an axisymmetric pressure. Compared with pressures computed in "
-    "three dimensions, the maximum of the corrected force over speed is too high by 10, 33 and 50 %. These values "
+    "three dimensions, the corrected force is too high by 7, 23 and 38 % near its maximum over speed. These values "
     "apply to glassy moduli of 2, 10 and 100 times the relaxed modulus. Away from this maximum the error is smaller.",
     "energy of the moving pressure, compared with the half-space's hereditary integral on a grid",
 )
