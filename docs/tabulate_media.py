@@ -23,7 +23,6 @@ docs/media/examples.toml changes.
 from __future__ import annotations
 
 import argparse
-import contextlib
 import dataclasses
 import functools
 import json
@@ -168,12 +167,22 @@ def quoted(text: str) -> str:
 def example(kind: str, medium: str) -> dict[str, Any]:
     """Return the study of a cell: the example of the kind on that medium, with what `SHORT` changes."""
     table: dict[str, Any] = example_study(kind, medium=medium)["problem"]
-    changes = SHORT["changed"].get(kind, {}) | SHORT["changed_on"].get(medium, {}).get(kind, {})
-    for key, content in changes.items():
+    usual, here = SHORT["changed"].get(kind, {}), SHORT["changed_on"].get(medium, {}).get(kind, {})
+    for key, content in (usual | here).items():
         place, _, last = key.rpartition(".")
-        with contextlib.suppress(KeyError):  # on some media the example holds another contact
+        if holds(table, place):
             (table_at(table, place) if place else table)[last] = content
+        elif key in here or not holds(example_study(kind)["problem"], place):  # some media have another contact
+            raise ValueError(f"examples.toml: the example of {kind} on {medium} has no {place!r}; correct {key!r}.")
     return table
+
+
+def holds(table: dict[str, Any], place: str) -> bool:
+    """Return whether a study has a table at a place."""
+    try:
+        return not place or bool(table_at(table, place))
+    except KeyError:
+        return False
 
 
 @functools.cache

@@ -214,6 +214,14 @@ def test_some_cells_are_what_their_problems_answer(media, cells, kind, medium, w
     assert cells.agrees(written, media.answer(kind, medium)), HINT
 
 
+def test_a_change_of_an_example_that_finds_no_place_is_named(media, monkeypatch):
+    monkeypatch.setitem(media.SHORT["changed"], "seal", {"contact.topograhpy.shape": [16, 16]})
+    with pytest.raises(ValueError, match=r"the example of seal on half_space has no 'contact\.topograhpy'"):
+        media.example("seal", "half_space")
+    heated = media.example("surface_friction_heating", "viscoelastic_coated_half_space")  # of another contact
+    assert "longitudinal" not in str(heated)
+
+
 def test_a_cell_that_answers_otherwise_is_found(media, cells):
     found = media.answer("indentation", "half_space")
     refused = cells.cells["periodic_indentation", "graded_half_space"]

@@ -96,8 +96,8 @@ def stated_errors():
     for name, text in texts("fitting", "foundation", "io", "materials", "media", "problems", "profiles"):
         if re.search(r"^    (def )?\w*(errors?|uncertainty)\b", text, re.MULTILINE):
             module = importlib.import_module(f"winkler.{name}")
-            for cls in (getattr(module, each) for each in module.__all__):
-                if isinstance(cls, type) and cls.__module__ == module.__name__:
+            for cls in vars(module).values():
+                if isinstance(cls, type) and cls.__module__ == module.__name__ and not cls.__name__.startswith("_"):
                     for field in {*getattr(cls, "__annotations__", {}), *vars(cls)}:
                         if STATED.search(field) and not field.startswith("_"):
                             yield f"{cls.__name__}.{field}", module.__name__

@@ -17,7 +17,7 @@ from winkler.values.errors import InvalidInput
 
 FAST = ("-O2",)
 SEEDS = range(10)
-REFUSED = {"rolled", "mapped", "passages", "spread_loads", "surface_points", "_lagged", "_lag", "_spread",
+REFUSED = {"rolled", "mapped", "passages", "spread_loads", "surface_points", "_lagged", "_spread", "_summed",
            "_angle"}  # fmt: skip
 """Kernels of fields that leave the subset: they sort, or return arrays that they make."""
 UNUSED = {"panel_value", "line_load", "echoed_points", "_folded", "fill_columns", "march", "smallest_balls",

@@ -13,8 +13,6 @@ from winkler.values.checks.contract import offered
 from winkler.values.validity import Note
 from winkler.values.value import value
 
-__all__ = ["Bed", "PressedSprings", "StretchedSprings", "measured_radii", "slipping_depth", "slipping_springs"]
-
 
 @offered("a bed, such as Foundation(profile, medium)")
 class Bed(Protocol):

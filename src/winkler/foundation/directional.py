@@ -31,8 +31,6 @@ from winkler.values.limits import MEASURED_PLACES
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["DirectionalBed"]
-
 LAYERED_DISCS = Note(
     Assumption.SHAPE,
     Standing.ASYMPTOTIC,

@@ -20,8 +20,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import OutsideValidity
 from winkler.values.value import value, words
 
-__all__ = ["EllipticOutline", "Footprint", "RoundOutline", "UnknownOutline", "footprint_of"]
-
 
 @value
 class RoundOutline:

@@ -17,8 +17,6 @@ from winkler.numerics.types import Array, ArrayLike
 from winkler.profiles.smoothing import Spline, choose
 from winkler.values.errors import InvalidInput
 
-__all__ = ["FEWEST_POINTS", "BedPoints", "bed_points"]
-
 FEWEST_POINTS = 6
 METHOD = "MeasuredBed.from_curve"
 SCATTER_RATIO = 3.0

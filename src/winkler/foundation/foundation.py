@@ -13,8 +13,6 @@ from winkler.media.medium import Medium
 from winkler.profiles.profile import Profile
 from winkler.values.value import value
 
-__all__ = ["Foundation"]
-
 
 @value
 class Foundation(UnderProfile):

@@ -77,8 +77,6 @@ from winkler.values.checks.number_checks import Advice, Positive
 from winkler.values.errors import OutsideValidity
 from winkler.values.value import value
 
-__all__ = ["Carried", "LayeredLineFoundation", "PeriodicLayers", "ZonedLayers"]
-
 RelaxingKinds = RelaxingInProportion | ViscoelasticCoatedHalfSpace | PoroelasticFilm
 MOST_HARMONICS, FIRST_MODES, LONGEST = 4000, 24, 1e-6
 """Waves of periodic strips that are felt, modes to begin with, and the wave number of an even load over the lengths."""

@@ -39,9 +39,9 @@ from winkler.media.halfspace import HomogeneousMedium
 from winkler.numerics.fields.half_plane import Pile, potential
 from winkler.numerics.integrals.adaptive_quadrature import settled
 from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.panels.abel_intervals import noise, root_difference
 from winkler.numerics.panels.chebyshev import fit_panels
 from winkler.numerics.transforms import abel
-from winkler.numerics.transforms.abel_intervals import noise, root_difference
 from winkler.numerics.types import Array, Curve
 from winkler.profiles.flat import CappedCylinder
 from winkler.profiles.line_transform import line_load, line_load_slope
@@ -49,8 +49,6 @@ from winkler.profiles.power import Paraboloid
 from winkler.profiles.profile import Profile
 from winkler.values.checks.number_checks import Advice
 from winkler.values.value import value
-
-__all__ = ["LineFoundation", "ZonedBed"]
 
 DENSITY_TOLERANCE = 1e-13
 """Error of w' over its greatest value, where the stresses below are computed from it."""

@@ -25,9 +25,6 @@ if TYPE_CHECKING:  # numerics of layers are loaded with layers
     from winkler.media.layered.plane_interior import PlaneWaves
     from winkler.media.offers import LayerStack
 
-__all__ = ["SIMILAR", "LineBed", "PressedPair", "Zone"]
-
-
 SIMILAR = 1e-12
 """Dundurs' constant [-] below which bodies are similar."""
 PLACES_BESIDE = 513

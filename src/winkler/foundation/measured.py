@@ -27,8 +27,6 @@ from winkler.values.limits import MEASURED_PLACES
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["MeasuredBed", "MeasuredMedium"]
-
 LEAST_RADIUS_RATIO = 1e-6
 """Where slopes at the axis are taken, relative to the first radius."""
 UNKNOWN_OUTLINE = UnknownOutline(

@@ -9,8 +9,6 @@ from winkler.profiles.profile import Shape
 from winkler.values.validity import Note
 from winkler.values.value import value
 
-__all__ = ["MeasuredPlaneProfile"]
-
 
 @value
 class MeasuredPlaneProfile(Shape):

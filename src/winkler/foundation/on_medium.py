@@ -12,8 +12,6 @@ from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.values.validity import Note
 
-__all__ = ["OfShape", "OnMedium", "UnderProfile"]
-
 
 class OnMedium:
     """The part of a bed that its medium determines."""

@@ -37,8 +37,6 @@ if TYPE_CHECKING:  # numerics of layers are loaded with layers
     from winkler.media.layered.plane_interior import PlaneWaves
     from winkler.media.offers import LayerStack
 
-__all__ = ["PeriodicBed", "as_high", "from_line", "in_closed_form", "to_line", "unrolled"]
-
 DEEP = 4.0
 """Depth over the pitch from which the stresses are even, to about 1e-11."""
 MOST_HARMONICS = 8

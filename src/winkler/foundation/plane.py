@@ -21,8 +21,6 @@ from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.values.value import value
 
-__all__ = ["PlaneFoundation"]
-
 INFINITE_LENGTH = 1e30
 """Instead of a length without end [m]."""
 

@@ -41,19 +41,7 @@ from winkler.values.checks.number_checks import Advice
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.value import value
 
-__all__ = ["PowerLawLineFoundation"]
-
 NODES = 48
-
-
-def _cosine(exponent: float) -> float:
-    """Return cos(k pi / 2), to the last digit near one."""
-    return math.sin(0.5 * math.pi * (1.0 - abs(exponent)))
-
-
-def _gammas(exponent: float) -> float:
-    """Return Gamma(1 + k/2) / Gamma(1/2 + k/2)."""
-    return math.gamma(1.0 + 0.5 * exponent) / math.gamma(0.5 + 0.5 * exponent)
 
 
 @value
@@ -114,7 +102,8 @@ class PowerLawLineFoundation(LineBed):
     def _stiffer(self, unit: float) -> float:
         """Return how far a line load moves the surface, with lengths over a unit [m], over half-planes [-]."""
         k = self.exponent
-        return math.sqrt(math.pi) * _cosine(k) * _gammas(k) * math.exp(k * math.log(self.medium.depth_scale / unit))
+        length = math.exp(k * math.log(self.medium.depth_scale / unit))
+        return 0.5 * math.pi * graded_abel.right_cosine(k) / graded_abel.half_beta(k) * length
 
     def shear_compliance(self, edges: Array) -> Array:
         """As `LineBed.shear_compliance`."""
@@ -172,14 +161,15 @@ class PowerLawLineFoundation(LineBed):
     def punch_softening(self, half_width: Array) -> Array:
         """As `LineBed.punch_softening`: k E* over the stiffness of the punch."""
         k = self.exponent
-        return np.asarray(2.0 * _gammas(k) ** 2 * (self.medium.depth_scale / half_width) ** k)
+        return np.asarray(0.5 * math.pi / graded_abel.half_beta(k) ** 2 * (self.medium.depth_scale / half_width) ** k)
 
     def stuck_compliance(self, half_width: float, unit: float) -> float:
         """As `LineBed.stuck_compliance`."""
         k = self.exponent
         if k == 0.0:
             return LineBed.stuck_compliance(self, half_width, unit)
-        under_punch = math.log(math.sqrt(math.pi) * _gammas(k) / _cosine(k)) - k * math.log(half_width / unit)
+        punch = 0.5 * math.pi / (graded_abel.half_beta(k) * graded_abel.right_cosine(k))
+        under_punch = math.log(punch) - k * math.log(half_width / unit)
         return 2.0 / math.pi * self.along_share * self._stiffer(unit) * math.expm1(under_punch) / k
 
     @property
@@ -304,7 +294,7 @@ class PowerLawLineFoundation(LineBed):
     @property
     def _lifted(self) -> float:
         """Slope of the surface at x beside a flat punch of a unit load, times (x^2 - a^2)^((1+k)/2) [m^k]."""
-        return _cosine(self.exponent) / (0.5 * math.pi * self._scale)
+        return graded_abel.right_cosine(self.exponent) / (0.5 * math.pi * self._scale)
 
     def separation(self, x: Array, half_width: float, rim_load: float) -> Array:
         """Return the distance of the surfaces [m] at places x >= 0, zero inside; negative where they would overlap."""

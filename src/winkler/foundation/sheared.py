@@ -18,8 +18,6 @@ from winkler.numerics.types import Array, Quantity
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["ShearRamps", "ShearStep", "ShearedSprings"]
-
 
 @value
 class ShearRamps:

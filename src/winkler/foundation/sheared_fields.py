@@ -16,16 +16,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import OutsideValidity
 from winkler.values.value import value
 
-__all__ = [
-    "BodyFields",
-    "ShearedFields",
-    "body_of_pressed",
-    "body_of_sheared",
-    "body_under",
-    "sheared_surface",
-    "shift_of_surface",
-]
-
 
 @value
 class ShearedFields:

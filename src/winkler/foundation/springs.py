@@ -23,8 +23,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.value import value
 
-__all__ = ["Springs"]
-
 
 @value
 class Springs:

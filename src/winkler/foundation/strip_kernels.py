@@ -11,8 +11,6 @@ from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.transforms.strips.strip_equation import Waves, waves
 from winkler.numerics.types import Array, Curve
 
-__all__ = ["bends", "risen", "twists"]
-
 KERNEL_TOLERANCE = 1e-12
 """Error of what the layers add to the displacement of an element, over its greatest value."""
 SUMMED = 2e-15

@@ -16,8 +16,6 @@ from winkler.numerics.transforms.strips.strip_equation import StripResponse
 from winkler.numerics.types import Array, Curve
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["added_responses", "added_sums", "edge_fall"]
-
 WIDEST = 1024.0
 """Greatest half-width over the thickness of the uppermost layer."""
 MOST_KEPT = 16384

@@ -18,12 +18,10 @@ import numpy as np
 
 from winkler.foundation.line import LineFoundation
 from winkler.numerics.chunks import chunks, wave_sums
-from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.integrals.quadrature import panel_nodes
 from winkler.numerics.transforms.strips.strip_modes import bessel_rows, signs
 from winkler.numerics.types import Array, Curve
 from winkler.values.errors import OutsideValidity
-
-__all__ = ["averages", "punches", "smooth_modes", "transforms"]
 
 SAMPLES = 64, 256
 """Places at which a profile is read; more where it is wavy."""
@@ -102,15 +100,12 @@ def _edges(bed: LineFoundation, half_width: float) -> list[float]:
 def _mean(height: Curve, edges: list[float], half_width: float) -> float:
     angles = [math.asin(edge / half_width) for edge in edges]
     ends = np.concatenate([angles[1] * np.append(0.0, FIRST_PANELS), np.array(angles[1:])])
-    node, weight = gauss_legendre(NODES)
-    width = np.diff(ends)[:, None]
-    angle = ends[:-1, None] + width * node
-    return float(np.sum(height(half_width * np.sin(angle)) * width * weight) * 2.0 / math.pi)
+    angle, weight = panel_nodes(ends, NODES)
+    return float(np.sum(height(half_width * np.sin(angle)) * weight) * 2.0 / math.pi)
 
 
 def punches(bed: LineFoundation, half_width: float, largest: float) -> tuple[Array, Array]:
     """Return half-widths [m] of flat punches, and their loads over E* [m], for waves up to `largest` [1/m]."""
-    node, weight = gauss_legendre(NODES)
     edges = _edges(bed, half_width)
     widths, loads = [], []
     for low, high in zip(edges[:-1], edges[1:], strict=True):
@@ -118,12 +113,11 @@ def punches(bed: LineFoundation, half_width: float, largest: float) -> tuple[Arr
         ends = np.linspace(0.0, 1.0, count + 1)
         if low == 0.0:
             ends = np.unique(np.concatenate([ends, FIRST_PANELS * ends[1]]))
-        width = np.diff(ends)[:, None] * (0.5 * math.pi)
-        angle = 0.5 * math.pi * ends[:-1, None] + width * node
+        angle, weight = panel_nodes(0.5 * math.pi * ends, NODES)
         across = (high - low) * (high + low)
         c = np.sqrt(low * low + across * np.sin(angle) ** 2)
-        share = across * np.sin(angle) * np.cos(angle) / c * width * weight
+        share = across * np.sin(angle) * np.cos(angle) / c * weight
         first = np.nextafter(low, np.inf) if low > 0.0 else 0.0
-        widths.append(c.ravel())
-        loads.append(bed.load_profile_slope(np.clip(c, first, high).ravel()) * share.ravel())
+        widths.append(c)
+        loads.append(bed.load_profile_slope(np.clip(c, first, high)) * share)
     return np.concatenate(widths), np.concatenate(loads)

@@ -32,8 +32,6 @@ from winkler.values.errors import OutsideValidity
 if TYPE_CHECKING:  # numerics of layers are loaded with layers
     from winkler.numerics.transforms.cosine_transform import SurfaceResponse
 
-__all__ = ["PressedState", "TwistBound", "twist_bound"]
-
 BOUND_ROUNDING = 1e-9
 """Part of the greatest bound that is rounding."""
 CONCAVITY_ROUNDING = 1e-9

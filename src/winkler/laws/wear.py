@@ -60,7 +60,6 @@ class OwnWear(Protocol):
 
     def depth_per_slip(self, pressure: Array) -> Array:
         """Return the worn depth per slip [-] under pressures [Pa]; same shape, not negative, finite."""
-        ...
 
 
 @value

@@ -37,24 +37,19 @@ class DepthGrading(Protocol):
     @property
     def breaks(self) -> tuple[float, ...]:
         """Depths [m] at which E or nu is not smooth, ascending."""
-        ...
 
     @property
     def finest(self) -> float:
         """Depth [m] over which E changes most quickly."""
-        ...
 
     def young_at(self, z: Array) -> Array:
         """E(z) [Pa]."""
-        ...
 
     def poisson_at(self, z: Array) -> Array:
         """nu(z) [-]."""
-        ...
 
     def settled_at(self, tolerance: float) -> float:
         """Depth [m] below which E differs from its last value by less than this part."""
-        ...
 
 
 class _SmoothGrading:

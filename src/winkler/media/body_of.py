@@ -32,8 +32,6 @@ from winkler.numerics.types import Array, Curve
 from winkler.values.errors import OutsideValidity
 from winkler.values.value import value, words
 
-__all__ = ["EquivalentProfile", "Imprint", "exponent_of", "height", "slope", "surface_slope", "thickness_of"]
-
 
 class EquivalentProfile(Protocol):
     """An equivalent profile; equal content, equal hash.  `kinks` as those of a bed."""

@@ -18,16 +18,14 @@ from winkler.materials.elastic import RIGID, Elastic, Rigid, Solid
 from winkler.media.interior import subsurface
 from winkler.media.medium import Displacement, PunchFacts, exact_response, rigid_body
 from winkler.media.punch_field import BodyField
+from winkler.numerics.panels.abel_intervals import root_difference
 from winkler.numerics.transforms import abel
-from winkler.numerics.transforms.abel_intervals import root_difference
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.values.checks.contract import offered
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Note
 from winkler.values.value import value
-
-__all__ = ["HalfSpace", "HomogeneousMedium"]
 
 GALIN = "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6"
 

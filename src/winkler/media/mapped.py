@@ -11,8 +11,6 @@ from winkler.numerics.pixels.power_law import PowerLawSurface
 from winkler.numerics.transforms.cosine_transform import in_own_lengths
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["MappedMedium", "layers_of"]
-
 MappedMedium: TypeAlias = HomogeneousMedium | PushedWaves | PowerOfDepth
 """A medium under a height map."""
 

@@ -11,8 +11,6 @@ from winkler.values.checks.contract import offered
 from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["LEAST_SURFACE_RISE", "Displacement", "Medium", "PunchFacts", "exact_response", "rigid_body"]
-
 
 class PunchFacts(NamedTuple):
     """What is known of all flat punches up to some radius, pressed to unit depth.

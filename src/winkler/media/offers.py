@@ -33,19 +33,6 @@ if TYPE_CHECKING:  # numerics of layers are loaded with layers
             """The homogeneous one."""
 
 
-__all__ = [
-    "INSIDE_FROM",
-    "GradedInDepth",
-    "LayerStack",
-    "PlaneMedium",
-    "PowerOfDepth",
-    "PressedWaves",
-    "PushedWaves",
-    "TwistModuli",
-    "TwistedWaves",
-    "offers",
-]
-
 Offer = TypeVar("Offer")
 
 

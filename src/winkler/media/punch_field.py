@@ -37,8 +37,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["BodyField", "Potentials", "combine", "punch_below", "punch_surface", "times"]
-
 
 class Potentials(NamedTuple):
     """The potential V of an axisymmetric normal load and the derivatives that stresses and displacements need.

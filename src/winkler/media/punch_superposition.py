@@ -22,8 +22,6 @@ from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["LoadPanel", "PunchCluster", "PunchSuperposition", "punch_superposition"]
-
 SAMPLES = 24
 """Samples of H on a panel; its series then ends at this order, less one."""
 TOLERANCE = 1e-12

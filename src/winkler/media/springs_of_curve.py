@@ -24,8 +24,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged, OutsideValidity
 from winkler.values.value import value, words
 
-__all__ = ["CurveProfile", "TabulatedProfile", "springs_of_curve"]
-
 LARGEST_RADIUS_RATIO = 500.0
 """Greatest contact radius for which layers are solved, over their total thickness."""
 LEAST_RADIUS_RISE = 1e-5

@@ -16,8 +16,6 @@ from winkler.media.punch_field import BodyField
 from winkler.numerics.types import Array
 from winkler.values.value import value
 
-__all__ = ["TransverselyIsotropicHalfSpace"]
-
 
 @value
 class TransverselyIsotropicHalfSpace(HomogeneousMedium):

@@ -30,8 +30,6 @@ from winkler.numerics.transforms.cosine_transform import WaveResponse, transform
 from winkler.numerics.types import Array
 from winkler.values.value import value, words
 
-__all__ = ["PressureIndentation", "pressed_in"]
-
 BULGE_TOLERANCE = 1e-8
 """Error of the springs under the part of the pressure that vanishes at the edge, relative to the greatest pressure."""
 DEGREE = 48

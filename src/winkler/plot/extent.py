@@ -21,26 +21,21 @@ class BodyOutline(Protocol):
     @property
     def reach(self) -> float:
         """Greatest radius at which the profile is defined [m]."""
-        ...
 
     @property
     def rim(self) -> float:
         """Radius of its wall [m]."""
-        ...
 
     @property
     def size(self) -> float:
         """Radius of the body [m]."""
-        ...
 
     @property
     def kinks(self) -> tuple[tuple[float, float], ...]:
         """Radii at which it is not smooth."""
-        ...
 
     def height(self, r: Array) -> Array:
         """f(r) [m]."""
-        ...
 
 
 def checked_extent(extent: float | None) -> float | None:

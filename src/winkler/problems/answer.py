@@ -57,7 +57,6 @@ class Posed(Protocol):
     @property
     def problem(self) -> Any:
         """What was solved."""
-        ...
 
 
 class Assessed(Protocol):
@@ -66,7 +65,6 @@ class Assessed(Protocol):
     @property
     def validity(self) -> tuple[Note, ...]:
         """How far the result can be trusted."""
-        ...
 
 
 class Solution(Posed, Assessed, Protocol):
@@ -83,15 +81,12 @@ class March(Protocol):
     @property
     def total(self) -> int | None:
         """How many states `steps` yields, at most; None if that is not known before."""
-        ...
 
     def steps(self) -> Iterator[Any]:
         """Yield state after state."""
-        ...
 
     def gathered(self, states: Iterable[Any]) -> Any:
         """Return the solution from the states of the whole march or of its beginning."""
-        ...
 
 
 class History(Protocol):
@@ -100,7 +95,6 @@ class History(Protocol):
     @property
     def states(self) -> tuple[Any, ...]:
         """All jumps in the order of the path."""
-        ...
 
 
 class ManyLoads(Protocol):
@@ -111,7 +105,6 @@ class ManyLoads(Protocol):
 
     def at(self, index: Any) -> Any:
         """Return the solution of one of them."""
-        ...
 
 
 class Restorable(Protocol):
@@ -120,7 +113,6 @@ class Restorable(Protocol):
     @property
     def pressed(self) -> PressedSprings:
         """The displacement of the springs."""
-        ...
 
 
 class Dragged(Protocol):
@@ -129,7 +121,6 @@ class Dragged(Protocol):
     @property
     def sheared(self) -> ShearedSprings:
         """The displacement of the springs, across and along the surface."""
-        ...
 
 
 class SelfRestoring(Protocol):
@@ -138,24 +129,19 @@ class SelfRestoring(Protocol):
     @property
     def radius(self) -> float:
         """Radius of the contact [m]."""
-        ...
 
     @property
     def medium(self) -> Medium:
         """The bodies."""
-        ...
 
     def sharp_places(self) -> tuple[float, ...]:
         """Return distances from the axis at which stresses on the surface are infinite [m]."""
-        ...
 
     def surface_fields(self, r: Array) -> ShearedFields:
         """Return what happens on the surface at distances from the axis [m]."""
-        ...
 
     def body_fields(self, x: Array, y: Array, z: Array) -> BodyFields:
         """Return stresses and displacements at places inside the bodies [m]."""
-        ...
 
 
 class Worn(Protocol):
@@ -164,12 +150,10 @@ class Worn(Protocol):
     @property
     def first_worn(self) -> Array:
         """Lost by the first body [m]."""
-        ...
 
     @property
     def second_worn(self) -> Array:
         """Lost by the second body [m]."""
-        ...
 
 
 class Recovering(Protocol):
@@ -178,22 +162,18 @@ class Recovering(Protocol):
     @property
     def position(self) -> Array:
         """Places of the springs [m]."""
-        ...
 
     @property
     def recess(self) -> Array:
         """How far each is pressed in [m]."""
-        ...
 
     @property
     def depth(self) -> float:
         """Depth of the body [m]."""
-        ...
 
     @property
     def radius(self) -> float:
         """Radius of the contact [m]."""
-        ...
 
 
 def is_solution(solution: Any) -> TypeGuard[Solution]:

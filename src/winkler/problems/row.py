@@ -59,7 +59,6 @@ class Row(Protocol[Goal, State]):
         OutsideValidity, NotConverged
             As `step`.
         """
-        ...
 
     def step(self, state: State, goal: Goal) -> Reached[State]:
         """Return the row after one straight step to a goal.
@@ -71,7 +70,6 @@ class Row(Protocol[Goal, State]):
         NotConverged
             If a prescribed force is not met.
         """
-        ...
 
     def halfway(self, state: State, start: Goal, goal: Goal) -> Goal | None:
         """Return what is prescribed in the middle of a step; None if one straight step is as right as its halves."""

@@ -10,7 +10,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from winkler.numerics.transforms.abel_intervals import root_difference
+from winkler.numerics.panels.abel_intervals import root_difference
 from winkler.numerics.types import Array
 from winkler.profiles.half_angle import HalfAngle
 from winkler.profiles.pieces import PowerPieces, Term

@@ -17,10 +17,10 @@ from typing import Any
 
 import numpy as np
 
+from winkler.numerics.panels.abel_intervals import root_difference
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.panels.log_panels import Octaves
 from winkler.numerics.transforms import abel
-from winkler.numerics.transforms.abel_intervals import root_difference
 from winkler.numerics.types import Array, Curve
 from winkler.profiles.designed import Designed
 from winkler.profiles.flat import CappedCylinder, FlatPunch

@@ -19,8 +19,8 @@ from typing import Annotated
 
 import numpy as np
 
+from winkler.numerics.panels.abel_intervals import root_difference
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
-from winkler.numerics.transforms.abel_intervals import root_difference
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
 from winkler.profiles.smoothing import Spline, choose

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.numerics.transforms.abel_intervals import root_difference
+from winkler.numerics.panels.abel_intervals import root_difference
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
 from winkler.profiles.sphere import shape_integral

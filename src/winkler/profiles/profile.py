@@ -40,52 +40,41 @@ class Profile(Protocol):
     @property
     def reach(self) -> float:
         """Radius up to which the shape is known [m]; infinite if everywhere."""
-        ...
 
     @property
     def rim(self) -> float:
         """Radius of the first vertical wall [m], where the contact is pinned; infinite if there is none."""
-        ...
 
     @property
     def size(self) -> float:
         """Radius of the body itself [m], against which the contact must be small; infinite if it has none."""
-        ...
 
     @property
     def kinks(self) -> Kinks:
         """``(radius, jump of the slope)`` of every point where f is not smooth, ascending."""
-        ...
 
     @property
     def rising(self) -> bool:
         """Whether g is known never to fall with x (a Laplacian of f that is nowhere negative suffices)."""
-        ...
 
     @property
     def notes(self) -> tuple[Note, ...]:
         """What must be stated about the shape itself, e.g. that it stands for a pyramid or was smoothed."""
-        ...
 
     def height(self, r: Array) -> Array:
         """f(r) [m]."""
-        ...
 
     def slope(self, r: Array) -> Array:
         """f'(r) [-]."""
-        ...
 
     def gap(self, x: Array) -> Array:
         """g(x) [m], the equivalent plane profile for a homogeneous half-space (theory T1)."""
-        ...
 
     def gap_slope(self, x: Array) -> Array:
         """g'(x) [-]; at a kink, the value just below it."""
-        ...
 
     def gap_integral(self, x: Array) -> Array:
         """The integral of g from 0 to x [m^2]."""
-        ...
 
 
 class Shape:

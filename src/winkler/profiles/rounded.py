@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.numerics.transforms.abel_intervals import root_difference
+from winkler.numerics.panels.abel_intervals import root_difference
 from winkler.numerics.types import Array
 from winkler.profiles.pieces import PowerPieces, Term
 from winkler.values.checks.number_checks import Positive, PositiveNotTiny

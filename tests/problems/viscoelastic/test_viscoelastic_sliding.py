@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import numpy as np
@@ -13,7 +14,8 @@ from winkler.loading.loads import Depth, Force, Radius
 from winkler.materials.spring_and_dashpot import KelvinVoigt, Maxwell, StandardSolid
 from winkler.materials.viscoelastic import Prony
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
-from winkler.problems.viscoelastic.sliding import SlidingResistance
+from winkler.numerics.springs.exponential_sums import CreepSeries
+from winkler.problems.viscoelastic.sliding import SlidingResistance, share_of_line
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Standing
 
@@ -198,13 +200,38 @@ def resistance_in_three_dimensions(creep, profile, force, speed, half, n):
     return float(np.sum(pressure * slope) * h * h)
 
 
+@pytest.mark.parametrize("v", [0.1, 1.0, 10.0])
+def test_the_share_of_the_line_is_that_of_the_waves_of_a_parabola(v):
+    """The waves of 1 - x^2 are known in closed form; over them by an adaptive rule."""
+
+    def square(k):
+        return ((math.sin(k) - k * math.cos(k)) / k**3) ** 2 if k > 1e-3 else (1.0 - 0.1 * k * k) ** 2 / 9.0
+
+    def ahead(k):
+        turn = (k * v) ** 2
+        return square(k) * turn / (1.0 + turn)
+
+    def around(k):
+        turn = (k * v) ** 2
+        return square(k) * turn / (math.sqrt(1.0 + turn) * (1.0 + math.sqrt(1.0 + turn)))
+
+    edges = [0.0, *np.geomspace(1e-3, 1.0, 7), *np.arange(3.0, 201.0, 2.0)]
+    whole, part = (
+        sum(quad(wave, *ends, epsrel=1e-11, epsabs=0.0)[0] for ends in itertools.pairwise(edges))
+        for wave in (ahead, around)
+    )
+    x = np.linspace(-1.0, 1.0, 10_001)
+    creep = CreepSeries(1.0, 0.0, np.array([2.0]), np.array([1.0]))
+    assert share_of_line(creep, v, x, 1.0 - x * x) == pytest.approx(part / whole, rel=2e-6)
+
+
 @pytest.mark.parametrize(
     ("glassy", "v", "allowed"),
     [
-        (2.0, 0.1, 0.08),
-        pytest.param(2.0, 0.3, 0.11, marks=pytest.mark.slow),
+        (2.0, 0.1, 0.05),
+        pytest.param(2.0, 0.3, 0.07, marks=pytest.mark.slow),
         (2.0, 3.0, 0.03),
-        pytest.param(10.0, 0.1, 0.26, marks=pytest.mark.slow),
+        pytest.param(10.0, 0.1, 0.24, marks=pytest.mark.slow),
         (10.0, 1.0, 0.06),
         pytest.param(10.0, 10.0, 0.03, marks=pytest.mark.slow),
     ],

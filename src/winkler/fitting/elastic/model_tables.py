@@ -39,15 +39,12 @@ class ModelTables(Protocol):
 
     def response(self, states: EdgeStates, compliance: float, highest: float) -> Response:
         """Return the response up to the position `highest` [m]; see `winkler.fitting.elastic.response.response`."""
-        ...
 
     def known(self, numbers: dict[str, float], compliance: float, highest: float) -> HomogeneousResponse | None:
         """Return the response at free numbers where it follows without a model of these numbers; else None."""
-        ...
 
     def rough(self, states: EdgeStates, depth: float) -> tuple[float, float]:
         """Return F [N] at a depth [m], to a few per cent, and at pull-off."""
-        ...
 
     def differences(self, held: Response, states: EdgeStates, compliance: float, values: ResponseValues) -> Array:
         """Return by how much D [m] and F [N] of slightly changed states differ at the same radii ``(2, m)``.
@@ -62,7 +59,6 @@ class ModelTables(Protocol):
         values : ResponseValues, (m,)
             Of the other states.
         """
-        ...
 
 
 class EachAnew:

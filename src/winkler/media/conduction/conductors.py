@@ -13,8 +13,6 @@ from winkler.values.checks.field_checks import Condition
 from winkler.values.validity import Note
 from winkler.values.value import value
 
-__all__ = ["ElectricalConductors", "HeatConductors"]
-
 NO_FILM = SurfaceFilm()
 PERFECT_INTERFACE = ThermalInterface()
 

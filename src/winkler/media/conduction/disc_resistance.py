@@ -32,15 +32,14 @@ from winkler.materials.conducting_body import (
 )
 from winkler.numerics.fields.filmed_disc import spreading
 from winkler.numerics.fields.flux_tube import LARGEST_RADIUS_RATIO, relief
+from winkler.numerics.integrals.quadrature import panel_nodes
 from winkler.numerics.transforms import fredholm
-from winkler.numerics.transforms.kernel_matrix import kernel_matrix, panel_nodes
+from winkler.numerics.transforms.kernel_matrix import kernel_matrix
 from winkler.numerics.transforms.punch_tables import punch_at
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
-
-__all__ = ["PlatedResponse", "Resistances", "conduction_notes", "disc_resistances"]
 
 HOLM = "R. Holm, Electric Contacts, 4th edition, Springer 1967, doi:10.1007/978-3-662-06688-1"
 BARBER = (

@@ -22,8 +22,6 @@ from winkler.numerics.surfaces.punched_grid import punch
 from winkler.numerics.surfaces.surface_grid import SurfaceGrid
 from winkler.numerics.types import Array
 
-__all__ = ["SpotResistances", "plated_surface", "spot_resistances"]
-
 VOLTAGE_TOLERANCE = 1e-4
 """Error of the voltage of a pixel; that of the resistance is of its square, those of its parts of its order."""
 

@@ -10,6 +10,7 @@ import functools
 
 import numpy as np
 
+from winkler.numerics.chunks import chunks
 from winkler.numerics.integrals.jacobi_quadrature import gauss_jacobi
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
@@ -19,8 +20,6 @@ from winkler.profiles.designed import Designed
 from winkler.profiles.measured import Measured
 from winkler.profiles.smoothing import Spline
 from winkler.values.value import value
-
-__all__ = ["designed", "measured"]
 
 TOLERANCE = 1e-11
 """Error of g' on panels, relative to the steepest slope of the profile."""
@@ -86,9 +85,7 @@ def _spline_gap_slope(curve: Spline, k: float, x: Array) -> Array:
     total = first * w0 + 2.0 * second * flat / (1.0 + k) + 1.5 * third * w2 * flat**2
     inner = curve.knots[1:-1]
     half_jumps = 0.5 * np.diff(curve.derivatives[3])
-    chunk = max(1, 500_000 // max(inner.size, 1))
-    for start in range(0, flat.size if inner.size else 0, chunk):
-        part = slice(start, start + chunk)
+    for part in chunks(flat.size if inner.size else 0, inner.size, 500_000):
         total[part] += _slope_beyond(flat[part, None], inner, k) @ half_jumps
     return np.asarray(total.reshape(x.shape))
 

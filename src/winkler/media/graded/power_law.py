@@ -28,16 +28,14 @@ from winkler.media.graded import power_law_interior
 from winkler.media.graded.profile import transform
 from winkler.media.medium import Displacement, PunchFacts, exact_response, rigid_body
 from winkler.media.punch_field import BodyField
+from winkler.numerics.panels.abel_intervals import root_difference
 from winkler.numerics.transforms import graded_abel
-from winkler.numerics.transforms.abel_intervals import root_difference
 from winkler.numerics.transforms.graded_pressure import pressure as graded_pressure
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
-
-__all__ = ["GradedHalfSpace"]
 
 Body = PowerLawGraded | Rigid
 BOOKER = "J. R. Booker, N. P. Balaam, E. H. Davis, Int. J. Numer. Anal. Methods Geomech. 9 (1985) 369-381"
@@ -118,7 +116,7 @@ class GradedHalfSpace:
 
     def _across(self, body: PowerLawGraded) -> float:
         """Return (1 + nu) / (E_0 cos(k pi/2)) of a body [1/Pa]."""
-        return (1.0 + body.poisson) / (_cosine(self.exponent) * self._young(body))
+        return (1.0 + body.poisson) / (graded_abel.right_cosine(self.exponent) * self._young(body))
 
     def _refuse_gibson(self) -> None:
         if self.exponent == 1.0:
@@ -266,11 +264,6 @@ class GradedHalfSpace:
         return power_law_interior.field(displacement, body, self._surface_modulus, r, z)
 
 
-def _cosine(k: float) -> float:
-    """Return cos(k pi/2), exact to the last digit near k = 1."""
-    return math.sin(0.5 * math.pi * (1.0 - abs(k)))
-
-
 def root_squared(k: float, poisson: float) -> float:
     """Return beta^2 = (1 + k)(1 - k nu / (1 - nu))."""
     # written so that nothing cancels at nu = 1/2, k -> 1
@@ -290,5 +283,5 @@ def normal_factor(k: float, poisson: float) -> float:
         - lgamma(0.5 * (3.0 + k + beta))
         - lgamma(0.5 * (3.0 + k - beta))
     )
-    shape = 2.0 * (1.0 + k) * _cosine(k) * math.pi / (math.sqrt(math.pi) * 2.0 ** (1.0 + k))
+    shape = 2.0 * (1.0 + k) * graded_abel.right_cosine(k) * math.pi / (math.sqrt(math.pi) * 2.0 ** (1.0 + k))
     return float(shape) * math.exp(growth) / (beta * math.sin(0.5 * math.pi * beta))

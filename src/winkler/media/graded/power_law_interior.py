@@ -31,8 +31,6 @@ from winkler.numerics.transforms.cosine_transform import NODES, wave_numbers
 from winkler.numerics.types import Array
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["field"]
-
 DECAYED = 34.0
 """x at which the amplitudes are nothing."""
 DEEPEST = 60.0

@@ -30,8 +30,6 @@ from winkler.profiles.sphere import Ellipsoid, Hyperboloid, Sphere
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value
 
-__all__ = ["Transform", "transform"]
-
 
 class Transform(Protocol):
     """What a graded medium needs of a profile; arrays in, arrays out."""

@@ -22,8 +22,6 @@ import numpy as np
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
-__all__ = ["Confocal", "ShellRule", "confocal", "rule"]
-
 BEYOND = 14
 """Nodes of the rule beyond the largest singularity."""
 WITHIN, PER_LOGARITHM = 12, 6.0

@@ -50,8 +50,6 @@ from winkler.media.interior.tensor import Measure, Tensor
 from winkler.numerics.chunks import chunks
 from winkler.numerics.types import Array
 
-__all__ = ["PLACES_AT_ONCE", "greatest_in_half_ellipsoid", "half_ellipsoid_stresses", "third_moments"]
-
 PLACES_AT_ONCE = 512
 
 

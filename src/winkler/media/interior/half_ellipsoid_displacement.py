@@ -23,8 +23,6 @@ from winkler.media.interior.half_ellipsoid import PLACES_AT_ONCE, third_moments
 from winkler.numerics.chunks import chunks
 from winkler.numerics.types import Array
 
-__all__ = ["half_ellipsoid_displacements"]
-
 
 def half_ellipsoid_displacements(
     x: Array, y: Array, z: Array, semi_axes: tuple[float, float], poisson: float, traction: tuple[float, float]

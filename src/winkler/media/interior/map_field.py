@@ -10,16 +10,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.media.interior.rectangle import COMPONENTS, corners_at, sum_corners
+from winkler.media.interior.rectangle import COMPONENTS, EXCHANGED, corners_at, sum_corners
 from winkler.numerics.threads import run_in_threads
 from winkler.numerics.types import Array
 
-__all__ = ["EXCHANGED", "MapField"]
-
 LEAST_SQUARE = 1e-18
 """Square of the distance, in pixels, from the edge of a pixel on the surface within which stresses do not grow."""
-EXCHANGED = (1, 0, 2, 3, 5, 4, 7, 6, 8)
-"""Components in the order that the exchange of x and y gives them."""
 
 
 class MapField(NamedTuple):

@@ -18,8 +18,6 @@ from winkler.media.interior.tensor import Measure, Tensor, von_mises
 from winkler.numerics.equations.highest import FEW_PLACES, highest_near
 from winkler.numerics.types import Array
 
-__all__ = ["DeepStresses", "greatest_below"]
-
 SHALLOWEST = 0.5
 """Smallest depth below the surface that is searched, in pixels; nearer to it the steps between pixels show."""
 BETWEEN = 2.0

@@ -11,8 +11,6 @@ import numpy as np
 from winkler.numerics.equations.highest import MOST_ROUNDS, MOST_STARTS, Top, highest
 from winkler.numerics.types import Array
 
-__all__ = ["StressPlace", "StressSpot", "greatest", "greatest_around"]
-
 FINER = 0.25
 """Step of the places on the surface over that of the grid."""
 MIDDLE = np.linspace(-0.8, 0.8, 9)

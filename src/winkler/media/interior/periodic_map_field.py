@@ -16,11 +16,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from winkler.media.interior.map_field import EXCHANGED
-from winkler.media.interior.rectangle import COMPONENTS
+from winkler.media.interior.rectangle import COMPONENTS, EXCHANGED
 from winkler.numerics.types import Array
-
-__all__ = ["PeriodicMapField"]
 
 MOST_DECAY = 40.0
 """Waves that have decayed by this power of e do not count."""

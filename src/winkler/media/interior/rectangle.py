@@ -38,27 +38,31 @@ import math
 from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 
-__all__ = ["COMPONENTS", "STRESSES", "corners_at", "sum_corners"]
-
 COMPONENTS, STRESSES = 9, 6
 """xx, yy, zz, xy, xz, yz of the stress; displacements along x, y, z, times 2 G."""
+EXCHANGED = (1, 0, 2, 3, 5, 4, 7, 6, 8)
+"""Components in the order that the exchange of x and y gives them."""
 Corner = tuple[float, float, float, float, float, float, float, float, float]
 PER_TURN = 0.5 / math.pi
 
 
 @compiled
-def pressed_corner(x: float, y: float, z: float, nu: float, least: float) -> Corner:
-    """Return what a corner gives under unit pressure; `least` is a squared length that keeps edges finite."""
+def _integrals(x: float, y: float, z: float, least: float) -> tuple[float, ...]:
+    """Return what both corners are made of; `least` is a squared length that keeps edges finite."""
     rx, ry = x * x + z * z + least, y * y + z * z + least
     rho = math.sqrt(rx + y * y)
     deep = rho + z
     ax, ay = math.asinh(y / math.sqrt(rx)), math.asinh(x / math.sqrt(ry))
-    t = math.atan2(x * y, z * rho)
     flat = (x * x + y * y) / deep
     hxx = math.atan2(x * y * flat, x * x * rho + z * y * y)
-    hyy = t - hxx
-    hxy = math.log(deep)
-    most = 1.0 - 2.0 * nu
+    return rx, ry, rho, deep, ax, ay, math.atan2(x * y, z * rho), hxx, math.log(deep)
+
+
+@compiled
+def pressed_corner(x: float, y: float, z: float, nu: float, least: float) -> Corner:
+    """Return what a corner gives under unit pressure."""
+    rx, ry, rho, _, ax, ay, t, hxx, hxy = _integrals(x, y, z, least)
+    hyy, most = t - hxx, 1.0 - 2.0 * nu
     zxx, zyy = -z * x * y / (rho * rx), -z * x * y / (rho * ry)
     xx = -2.0 * nu * t - most * hxx - zxx
     yy = -2.0 * nu * t - most * hyy - zyy
@@ -76,14 +80,7 @@ def pressed_corner(x: float, y: float, z: float, nu: float, least: float) -> Cor
 @compiled
 def dragged_corner(x: float, y: float, z: float, nu: float, least: float) -> Corner:
     """Return what a corner gives under a unit traction along x that acts on the body."""
-    rx, ry = x * x + z * z + least, y * y + z * z + least
-    rho = math.sqrt(rx + y * y)
-    deep = rho + z
-    ax, ay = math.asinh(y / math.sqrt(rx)), math.asinh(x / math.sqrt(ry))
-    t = math.atan2(x * y, z * rho)
-    flat = (x * x + y * y) / deep
-    hxx = math.atan2(x * y * flat, x * x * rho + z * y * y)
-    hxy = math.log(deep)
+    rx, _, rho, deep, ax, ay, t, hxx, hxy = _integrals(x, y, z, least)
     phi_xz = -z * y / (rho * rx)
     h_xxy, h_xyy = x / (rho * deep), y / (rho * deep)
     xx = 2.0 * (1.0 + nu) * ax + 2.0 * nu * (y / deep - ax) + z * (h_xyy + phi_xz)
@@ -128,12 +125,5 @@ def sum_corners(
                 u = dragged_corner(x, y, z, nu, least)
                 v = dragged_corner(y, x, z, nu, least)
                 qx, qy = jumps[n, 1], jumps[n, 2]
-                out[m, 0] += qx * u[0] + qy * v[1]
-                out[m, 1] += qx * u[1] + qy * v[0]
-                out[m, 2] += qx * u[2] + qy * v[2]
-                out[m, 3] += qx * u[3] + qy * v[3]
-                out[m, 4] += qx * u[4] + qy * v[5]
-                out[m, 5] += qx * u[5] + qy * v[4]
-                out[m, 6] += qx * u[6] + qy * v[7]
-                out[m, 7] += qx * u[7] + qy * v[6]
-                out[m, 8] += qx * u[8] + qy * v[8]
+                for k in range(9):
+                    out[m, k] += qx * u[k] + qy * v[EXCHANGED[k]]

@@ -24,8 +24,6 @@ from winkler.media.punch_superposition import punch_superposition
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
-__all__ = ["angular_shift", "field"]
-
 NODES = 48
 """Nodes of the one rule that is used on the surface, where points are few."""
 

@@ -44,8 +44,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["ShearField", "ShearPotentials", "combine_shear", "shear_punch_below", "shear_punch_on"]
-
 
 class ShearPotentials(NamedTuple):
     """Derivatives of the potentials, with the powers of r and z that keep them finite on the axis.

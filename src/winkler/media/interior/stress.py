@@ -9,8 +9,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["max_shear", "principal", "von_mises"]
-
 
 def _finite(*components: Array) -> tuple[Array, list[Array]]:
     """Return where all components are finite, and the components with zeros elsewhere."""

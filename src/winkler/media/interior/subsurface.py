@@ -28,8 +28,6 @@ from winkler.numerics.chunks import chunks
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 
-__all__ = ["field", "superposed_below"]
-
 Punch = Callable[[Array, Array, Array, Array | None], tuple[Array, ...]]
 
 NODE_COUNTS = np.array([6, 8, 10, 12, 16, 20, 24, 28, 32, 40, 48, 56, 64, 80, 96, 112])

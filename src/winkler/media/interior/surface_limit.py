@@ -20,8 +20,6 @@ from winkler.numerics.chunks import chunks
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 
-__all__ = ["PAIRS_PER_CHUNK", "POINTS_PER_BLOCK", "Indices", "point_groups", "superposed_on"]
-
 Indices = NDArray[np.intp]
 
 POINTS_PER_BLOCK = 20_000

@@ -14,18 +14,6 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 
-__all__ = [
-    "Measure",
-    "Tensor",
-    "lateral_shear",
-    "longitudinal_shear",
-    "max_shear",
-    "measure_named",
-    "orthogonal_shear",
-    "principal",
-    "von_mises",
-]
-
 
 class Tensor(NamedTuple):
     """The components of a stress, tension positive."""

@@ -27,15 +27,6 @@ from winkler.numerics.transforms import abel
 from winkler.numerics.types import Array, Curve
 from winkler.values.errors import InvalidInput
 
-__all__ = [
-    "TwistBelow",
-    "Twisted",
-    "clean_slope",
-    "twist_below",
-    "twist_displacement",
-    "twist_traction",
-]
-
 SERIES_DISTANCE = 0.02
 """Nearer to the axis than this part of the distance from the disc's edge, series replace differences."""
 TOLERANCE = 1e-11

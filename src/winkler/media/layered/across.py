@@ -22,8 +22,6 @@ from winkler.media.layered.faces import LEAST_WAVE
 from winkler.media.layered.wave_constants import Body, constants_of
 from winkler.numerics.types import Array, ComplexArray
 
-__all__ = ["AcrossState", "across_above", "across_added", "across_inside", "climbed_across", "less_than_one"]
-
 SMALL = 0.05
 """Wave number times thickness below which 1 - tanh(x)/x is summed as a series."""
 

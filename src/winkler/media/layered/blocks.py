@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from winkler.numerics.types import ComplexArray
 
-__all__ = ["Four", "add", "invert", "scaled", "times"]
-
 Four = tuple[ComplexArray, ComplexArray, ComplexArray, ComplexArray]
 
 

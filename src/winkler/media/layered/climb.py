@@ -23,8 +23,6 @@ from winkler.media.layered.faces import LEAST_WAVE, THIN_LAYER_LIMIT, above, com
 from winkler.media.layered.wave_constants import Body, WaveConstants, constants_of
 from winkler.numerics.types import ComplexArray
 
-__all__ = ["AnyLayer", "Crossing", "Support", "climbed", "support_of"]
-
 AnyLayer = Layer | StackLayer
 
 

@@ -47,8 +47,8 @@ from winkler.media.layered.stack import StackBody
 from winkler.media.layered.wave_constants import Body
 from winkler.media.medium import Displacement, PunchFacts, exact_response, rigid_body
 from winkler.media.punch_field import BodyField
+from winkler.numerics.panels.abel_intervals import root_difference
 from winkler.numerics.transforms import abel, fredholm
-from winkler.numerics.transforms.abel_intervals import root_difference
 from winkler.numerics.transforms.cosine_transform import SurfaceResponse, WaveResponse
 from winkler.numerics.transforms.odd_response import OddResponse
 from winkler.numerics.types import Array, Curve
@@ -59,8 +59,6 @@ from winkler.values.value import value
 
 if TYPE_CHECKING:
     from winkler.media.offers import PairWaves
-
-__all__ = ["CoatedHalfSpace", "LayeredMedium", "SlidingFilm", "StackMedium", "StackedHalfSpace"]
 
 BARBER = "J. R. Barber, Determining the contact area in elastic-indentation problems, J. Strain Anal. 9 (1974) 230-232"
 

@@ -30,16 +30,6 @@ from winkler.numerics.transforms.cosine_transform import DECAY_SPAN
 from winkler.numerics.types import Array
 from winkler.values.errors import OutsideValidity
 
-__all__ = [
-    "WaveState",
-    "field",
-    "reaching",
-    "refuse_base",
-    "refuse_unknown_places",
-    "superposed",
-    "wave_states",
-]
-
 
 class WaveState(NamedTuple):
     """Amplitudes at one depth per pressure of 1: displacements times xi, tractions; and the solid there."""

@@ -31,8 +31,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 from winkler.values.value import value
 
-__all__ = ["CarriedLoad", "kernel_steps", "settled_sums", "spread", "surface"]
-
 RULE_NODES = (16, 32, 64)
 SETTLED_TOLERANCE = 1e-12
 LAST_TOLERANCE = 1e-8

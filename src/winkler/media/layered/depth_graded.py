@@ -24,8 +24,6 @@ from winkler.values.checks.number_checks import between
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["DepthGradedHalfSpace"]
-
 LEAST_TOLERANCE, LARGEST_TOLERANCE = 1e-7, 1e-2
 
 

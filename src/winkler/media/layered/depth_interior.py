@@ -30,12 +30,11 @@ from winkler.media.layered.depth_response import solid_at
 from winkler.media.layered.hankel_waves import LARGEST_PHASE, MOST_PAIRS, RadialWaves, waves_of
 from winkler.media.layered.wave_constants import constants_of
 from winkler.media.punch_field import BodyField
+from winkler.numerics.integrals.quadrature import growing
 from winkler.numerics.panels.chebyshev import fit_nodes, panels_from
 from winkler.numerics.transforms.cosine_transform import NODES
 from winkler.numerics.types import Array
 from winkler.values.errors import OutsideValidity
-
-__all__ = ["field", "sunk"]
 
 LARGEST_WAVE_NUMBER = 3000.0
 """Largest wave number, over the contact radius, near the surface."""
@@ -117,10 +116,7 @@ def _states(
     grading: DepthGrading, tolerance: float, depths: Array, xi: Array, span: float
 ) -> Iterator[tuple[float, WaveState, int]]:
     """Yield, depth by depth, the amplitudes of the waves that matter, and how many these are."""
-    edges = [0.0, LEAST_WAVE_NUMBER / span]
-    while edges[-1] < xi[-1]:
-        edges.append(2.0 * edges[-1])
-    bounds = np.array(edges)
+    bounds = np.array([0.0, *growing(LEAST_WAVE_NUMBER / span, 2.0 * xi[-1], 2.0)])
     samples = fit_nodes(bounds)
     cells = mesh(grading, tolerance, 0.25 / bounds[-1], tuple(float(z) for z in depths))
     for depth, amplitudes in _amplitudes(cells, samples.ravel(), depths):

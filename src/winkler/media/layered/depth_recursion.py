@@ -29,16 +29,6 @@ from winkler.numerics.caching import cached_by_value
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values.errors import NotConverged
 
-__all__ = [
-    "CellState",
-    "Mesh",
-    "mesh",
-    "states_with_depth",
-    "surface_compliance",
-    "surface_compliance_across",
-    "surface_depth",
-]
-
 STEP_DIVISIONS = np.arange(1, 5)
 EXTRAPOLATION_WEIGHTS = np.array([-1.0 / 360.0, 16.0 / 45.0, -729.0 / 280.0, 1024.0 / 315.0])
 """Of the ladders with c = 1, 2, 3, 4: what is left of the error is of order 1/c^8."""

@@ -35,13 +35,6 @@ from winkler.numerics.types import Array, ComplexArray
 from winkler.values.validity import Standing
 from winkler.values.value import value
 
-__all__ = [
-    "DepthResponse",
-    "GradedBody",
-    "cells_of",
-    "solid_at",
-]
-
 SERIES_WAVE_NUMBER = 100.0
 """xi_1 times the depth across which the surface changes."""
 SERIES_SPAN = 16.0

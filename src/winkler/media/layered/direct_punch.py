@@ -11,13 +11,11 @@ import itertools
 import numpy as np
 
 from winkler.media.layered.coated import LayeredMedium
+from winkler.numerics.integrals.quadrature import panel_nodes
 from winkler.numerics.transforms.cosine_transform import in_own_lengths
-from winkler.numerics.transforms.kernel_matrix import panel_nodes
 from winkler.numerics.transforms.punch_tables import punch_at
 from winkler.numerics.types import Array
 from winkler.profiles.profile import Profile
-
-__all__ = ["depth_and_force", "nodes_for"]
 
 NODE_COUNTS = (8, 12, 16, 24, 32)
 SETTLED = 1e-7

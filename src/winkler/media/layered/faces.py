@@ -24,19 +24,6 @@ from winkler.media.layered.blocks import Four, scaled, times
 from winkler.media.layered.wave_constants import WaveConstants
 from winkler.numerics.types import Array, ComplexArray
 
-__all__ = [
-    "LEAST_WAVE",
-    "THIN_LAYER_LIMIT",
-    "Face",
-    "above",
-    "compliance_of",
-    "face_of",
-    "mirrored",
-    "reflection",
-    "rescaled",
-    "slid",
-]
-
 Face: TypeAlias = tuple[ComplexArray, ComplexArray, ComplexArray, ComplexArray, ComplexArray, ComplexArray]
 """The minors UW, UT, US, WT, WS, TS, but for a factor."""
 

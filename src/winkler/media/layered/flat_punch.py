@@ -29,17 +29,14 @@ import numpy as np
 from winkler.media.layered.coated_load import settled_sums
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.chunks import chunks
-from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.integrals.quadrature import gauss_legendre, panel_nodes
 from winkler.numerics.panels.sqrt_panels import RootPanels, doubled, fit, nodes
 from winkler.numerics.transforms import fredholm, punch_tables
 from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths, scaled_response
-from winkler.numerics.transforms.kernel_matrix import panel_nodes
 from winkler.numerics.types import Array
 from winkler.profiles.conical import power_of
 from winkler.profiles.power import PowerLaw
 from winkler.profiles.profile import Profile
-
-__all__ = ["gap", "gap_load", "gap_slope", "kinks"]
 
 LOWEST_OCTAVE = -60
 """Octaves below this are the uppermost layer alone."""

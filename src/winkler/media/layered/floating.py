@@ -24,8 +24,6 @@ from winkler.media.layered.wave_constants import constants_of
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values.value import value
 
-__all__ = ["FloatingAcross"]
-
 
 @value
 class FloatingAcross(PairResponse):

@@ -20,19 +20,6 @@ from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_
 from winkler.numerics.types import Array
 from winkler.values.errors import OutsideValidity
 
-__all__ = [
-    "LARGEST_PHASE",
-    "MOST_PAIRS",
-    "SHORTEST_WAVES",
-    "HankelWaves",
-    "RadialWaves",
-    "blurred",
-    "faded_out",
-    "fading",
-    "reach_of",
-    "waves_of",
-]
-
 LARGEST_PHASE = 24.0
 """Largest phase of a wave over one panel of the quadrature: its 24 nodes err by (e/8)^48, 1e-22."""
 TURNED_TOGETHER = 32

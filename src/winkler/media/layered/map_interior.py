@@ -33,8 +33,6 @@ from winkler.media.offers import LayerStack
 from winkler.numerics.chunks import chunks
 from winkler.numerics.types import Array, ComplexArray
 
-__all__ = ["MapInLayers"]
-
 SHORT_WAVES = 8.0
 """Wave number times half the shorter side of the map from which on, over an octave, transforms take over."""
 BAND = 4.0

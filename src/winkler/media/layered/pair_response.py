@@ -23,8 +23,6 @@ from winkler.numerics.caching import rounded
 from winkler.numerics.types import ComplexArray
 from winkler.values.value import value, words
 
-__all__ = ["MODE_WORDS", "Mode", "PairResponse", "WavePair"]
-
 
 class Mode(enum.Enum):
     """A load, and the shares of the waves in what it moves."""

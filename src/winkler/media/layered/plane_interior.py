@@ -33,8 +33,6 @@ from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, wave_number
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["PlaneWaves", "added_stresses", "plane_waves"]
-
 FIRST_WAVE_NUMBER = 0.1
 """First panel of wave numbers, in units of 1 / span."""
 LARGEST_PHASE = 12.0

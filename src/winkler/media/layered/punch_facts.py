@@ -19,13 +19,11 @@ import numpy as np
 
 from winkler.media.medium import LEAST_SURFACE_RISE, PunchFacts
 from winkler.numerics.caching import cached_by_value
-from winkler.numerics.integrals.quadrature import gauss_legendre
-from winkler.numerics.panels.sqrt_panels import root
+from winkler.numerics.integrals.quadrature import panel_nodes
+from winkler.numerics.panels.abel_intervals import root_difference
 from winkler.numerics.transforms import fredholm, punch_tables
 from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths, transform
 from winkler.numerics.transforms.punch_tables import Punches
-
-__all__ = ["facts"]
 
 RADII_PER_TABLE = 16
 """Radii of a table at which sigma is sampled."""
@@ -90,9 +88,7 @@ def _first_pull(table: Punches) -> float:
 def _outside(response: WaveResponse, table: Punches) -> tuple[float, float, float]:
     """Return least and greatest displacement outside a table's widest punch, and the distance where it is flat."""
     a = table.high
-    nodes, weights = gauss_legendre(24)
-    width = np.diff(table.panels)[:, None]
-    t = a * (table.panels[:-1, None] + width * nodes).ravel()
+    t, weights = (a * part for part in panel_nodes(table.panels, 24))
     phi = fredholm.punches(response, t, np.full(t.size, a))
     if _weight(response, a) * np.max(np.abs(phi)) < -LEAST_SURFACE_RISE:
         return LEAST_SURFACE_RISE, 1.0, 0.0
@@ -100,9 +96,9 @@ def _outside(response: WaveResponse, table: Punches) -> tuple[float, float, floa
     x = a + np.concatenate([[0.0], np.geomspace(1e-3 * min(a, response.length), far, OUTER_POINTS)])
     kernel = transform(response, far + 2.0 * a)
     both = 0.5 * (kernel(x[:, None] - t) + kernel(x[:, None] + t))
-    psi = 1.0 - both @ (a * (width * weights).ravel() * phi)
+    psi = 1.0 - both @ (weights * phi)
     # in y = sqrt(x^2 - a^2) what stands over sqrt(r^2 - x^2) is nearly straight between the samples
-    y = root(x, np.full(x.shape, a))
+    y = root_difference(x, np.full(x.shape, a))
     v = psi * y / x
     rise = np.diff(v) / np.diff(y)
     start, stop = (np.minimum(side / y[1:, None], 1.0) for side in (y[:-1], y[1:]))

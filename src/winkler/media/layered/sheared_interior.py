@@ -39,8 +39,6 @@ from winkler.numerics.chunks import chunks
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN
 from winkler.numerics.types import Array
 
-__all__ = ["across_states", "field"]
-
 SHORT_ARGUMENT = 1e-2
 """Up to this J_2(x)/x is taken from its series."""
 

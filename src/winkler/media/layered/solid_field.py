@@ -28,8 +28,6 @@ from winkler.media.medium import Displacement
 from winkler.media.punch_field import BodyField, times
 from winkler.numerics.types import Array, ComplexArray
 
-__all__ = ["solid_field"]
-
 LEAST_SPLIT = 1e-4
 """Least difference of the exponents over their sum: the field is even in it, and changes by its square."""
 

@@ -25,8 +25,6 @@ from winkler.numerics.types import Array, ComplexArray
 from winkler.values.validity import Standing
 from winkler.values.value import value
 
-__all__ = ["Layered", "StackBody", "stack_waves"]
-
 
 class Layered(Protocol):
     """A body that answers a traction on its surface wave by wave."""

@@ -31,18 +31,6 @@ from winkler.media.layered.blocks import Four
 from winkler.numerics.types import ComplexArray
 from winkler.values.errors import OutsideValidity
 
-__all__ = [
-    "Body",
-    "IsotropicAt",
-    "Wave",
-    "WaveConstants",
-    "constants_of",
-    "half_space_compliance",
-    "in_plane_share",
-    "stiffness_scale",
-    "twist_constants",
-]
-
 Body = TransverselyIsotropic | Elastic | Rigid
 """What carries the layers, or presses on them."""
 

@@ -16,18 +16,6 @@ from winkler.numerics.springs.exponential_sums import CreepSeries, of_relaxation
 from winkler.numerics.types import ComplexArray
 from winkler.values.errors import InvalidInput
 
-__all__ = [
-    "GLASSY",
-    "RELAXED",
-    "LayerAt",
-    "ShearOf",
-    "both",
-    "elastic_with",
-    "half_space_creep",
-    "refuse_unbounded",
-    "solid_at",
-]
-
 ShearOf = Callable[[ViscoelasticSolid], float]
 GLASSY: ShearOf = attrgetter("series.glassy")
 RELAXED: ShearOf = attrgetter("series.relaxed")

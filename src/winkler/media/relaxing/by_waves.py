@@ -14,8 +14,6 @@ from winkler.numerics.transforms.wave_creep import WaveCreep
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["RelaxingByWaves"]
-
 
 class RelaxingByWaves(RelaxingLayers, Protocol):
     """A stack on which no single function of time stands for all springs: subclasses state the creep of its waves."""

@@ -50,8 +50,6 @@ from winkler.numerics.types import Array, ComplexArray
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value
 
-__all__ = ["ViscoelasticCoatedHalfSpace"]
-
 VANISHED_DEPTH = 44.0
 """What lies so deep, times xi, has no effect."""
 

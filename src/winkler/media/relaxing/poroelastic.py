@@ -43,8 +43,6 @@ from winkler.values.checks.number_checks import Advice, Number, Positive, Positi
 from winkler.values.errors import OutsideValidity
 from winkler.values.value import value, words
 
-__all__ = ["PoroelasticFilm"]
-
 GREATEST_POISSON = 0.49
 LEAST_POISSON = -0.9
 WIDE = 50.0

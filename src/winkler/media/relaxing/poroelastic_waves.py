@@ -30,8 +30,6 @@ from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_
 from winkler.numerics.transforms.wave_creep import WaveCreep, fit_wave_creep
 from winkler.numerics.types import Array, ComplexArray
 
-__all__ = ["drained_waves", "film_creep", "undrained_waves"]
-
 LONGEST_TIME = 0.5
 """Above the longest retardation time, 4 / pi^2 of a wave without end."""
 SHORTEST_DEPTH = 0.01

@@ -35,8 +35,6 @@ from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Note
 from winkler.values.value import value
 
-__all__ = ["RelaxingInProportion"]
-
 ElasticMedium = (
     HalfSpace | TransverselyIsotropicHalfSpace | GradedHalfSpace | CoatedHalfSpace | DepthGradedHalfSpace
 )  # fmt: skip

@@ -26,8 +26,6 @@ if TYPE_CHECKING:  # layers are loaded with media that have some
     from winkler.media.offers import PairWaves
     from winkler.numerics.springs.exponential_sums import CreepSeries, RelaxationSeries
 
-__all__ = ["RelaxingLayers", "RelaxingMedium", "relaxes"]
-
 LEE = "E. H. Lee, J. R. M. Radok, J. Appl. Mech. 27 (1960) 438-444, doi:10.1115/1.3644020"
 
 

@@ -30,8 +30,6 @@ from winkler.numerics.types import Array, ComplexArray
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.value import value
 
-__all__ = ["ViscoelasticHalfSpace", "creep_ratio", "share_of_creep"]
-
 UNIT_HALF_SPACE = HalfSpace(Elastic(0.75, 0.5))
 """E* = 1 Pa."""
 

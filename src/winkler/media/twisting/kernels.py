@@ -28,8 +28,6 @@ from winkler.values.errors import OutsideValidity
 if TYPE_CHECKING:  # numerics of layers are loaded with layers
     from winkler.numerics.transforms.cosine_transform import SurfaceResponse
 
-__all__ = ["TwistKernel", "bound_shape", "no_kernel", "panel_width", "twist_kernel", "twisted_medium"]
-
 PANEL_WIDTH_RATIO = 2.0
 """Width of a panel, over the length on which the kernel of a stack is smooth."""
 SMALL_RATIO = 0.25

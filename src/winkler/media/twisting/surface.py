@@ -25,8 +25,6 @@ from winkler.values.errors import OutsideValidity
 if TYPE_CHECKING:  # numerics of layers are loaded with layers
     from winkler.numerics.transforms.cosine_transform import WaveResponse
 
-__all__ = ["summed_discs", "table_rounding", "traction_on", "turning_on"]
-
 TABLE_ROUNDING = 1e-9
 """A slope that changes h by no more than this part of it is rounding of the tables of a stack."""
 

@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.numerics.pixels.integrals import from_corners, love
 from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.threads import cores
 from winkler.numerics.types import Array
@@ -99,14 +100,6 @@ class ElasticSurface(NamedTuple):
         return self.applied(self.single_compliance if single else self.compliance, traction)
 
 
-def _love(shape: tuple[int, int], aspect: float) -> Array:
-    """Return displacements at (i, j aspect) under a unit pressure on the pixel around (0, 0)."""
-    x = (np.arange(shape[0] + 1) - 0.5)[:, None]
-    y = ((np.arange(shape[1] + 1) - 0.5) * aspect)[None, :]
-    corner = x * np.arcsinh(y / np.abs(x)) + y * np.arcsinh(x / np.abs(y))
-    return np.asarray((corner[1:, 1:] - corner[:-1, 1:] - corner[1:, :-1] + corner[:-1, :-1]) / np.pi)
-
-
 @functools.lru_cache(maxsize=4)
 def _made(shape: tuple[int, int], aspect: float, periodic: bool, layers: SurfaceBelow | None) -> ElasticSurface:
     import scipy.fft
@@ -130,7 +123,7 @@ def _made(shape: tuple[int, int], aspect: float, periodic: bool, layers: Surface
     else:
         torus = 2 * scipy.fft.next_fast_len(shape[0], True), 2 * scipy.fft.next_fast_len(shape[1], True)
         corner = torus[0] // 2 + 1, torus[1] // 2 + 1
-        quarter = _love(corner, aspect)
+        quarter = from_corners(love, corner, (1.0, aspect)) / np.pi
         quarter = quarter + layers.pixels(corner, (1.0, aspect)) if layers else quarter
         i, j = (np.minimum(np.arange(n), n - np.arange(n)) for n in torus)
         compliance = scipy.fft.rfft2(quarter[np.ix_(i, j)]).real

@@ -22,7 +22,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from winkler.numerics.integrals.quadrature import tanh_sinh
+from winkler.numerics.integrals.quadrature import growing, tanh_sinh
 from winkler.numerics.types import Array, Curve
 from winkler.values.value import value
 
@@ -111,8 +111,8 @@ class BandSource:
     def mean(self, wave: float) -> float:
         """Return the mean of lambda T over the strip [W/m]; `wave` as of `surface`, but finite."""
         a, wave = self.half_width, abs(wave)
-        layers = _lengths(2.0 / wave, 2.0 * a)
-        angle, share, _ = _pieces(0.0, math.nan, (*self.joints, *(_angle(1.0 - layer / a) for layer in layers)))
+        layers = growing(2.0 / wave, 2.0 * a, LENGTH_RATIO)
+        angle, share, _ = self.pieces(0.0, math.nan, [_angle(1.0 - layer / a) for layer in layers])
         ahead, behind = 1.0 - np.sin(angle), 1.0 + np.sin(angle)
         ahead = np.where(np.sin(angle) > 0.5, 2.0 * np.sin(0.25 * math.pi - 0.5 * angle) ** 2, ahead)
         half = 0.5 * wave * a
@@ -127,15 +127,11 @@ class BandSource:
         a = self.half_width
         inside = abs(x) <= a
         at = math.asin(x / a) if inside else math.nan
-        if wave == FAST:
-            lengths: list[float] = []
-        else:
-            lengths = _lengths(2.0 / wave, 2.0 * a)
+        lengths = [] if wave == FAST else growing(2.0 / wave, 2.0 * a, LENGTH_RATIO)
         if not inside:
-            lengths += _lengths(abs(x) - a, 2.0 * a)
+            lengths += growing(abs(x) - a, 2.0 * a, LENGTH_RATIO)
         marks = [_angle((x + sign * length) / a) for length in lengths for sign in (1.0, -1.0)]
-        joints = [sign * joint for joint in self.joints for sign in (1.0, -1.0)]
-        angle, share, off = _pieces(-0.5 * math.pi, at, (*marks, *joints))
+        angle, share, off = self.pieces(-0.5 * math.pi, at, marks)
         behind = -2.0 * a * np.cos(at + 0.5 * off) * np.sin(0.5 * off) if inside else x - a * np.sin(angle)
         distance = np.maximum(np.abs(behind), EPSILON)
         if wave == FAST:
@@ -145,6 +141,21 @@ class BandSource:
             ahead = behind < 0.0
             kernel[ahead] *= np.exp(-wave * distance[ahead])
         return float(np.sum(self.flux_at(np.abs(angle)) * kernel * share)) / math.pi
+
+    def pieces(self, low: float, at: float, marks: list[float]) -> tuple[Array, Array, Array]:
+        """Return angles from `low` to pi/2, their weights, and how far they lie beyond the angle `at` (nan if none).
+
+        Pieces end at the marks, and at the joints of the flux on both sides.
+        """
+        high, joints = 0.5 * math.pi, [sign * joint for joint in self.joints for sign in (1.0, -1.0)]
+        known = [] if math.isnan(at) else [at]
+        cuts = np.array(sorted({low, high, *known, *(mark for mark in (*marks, *joints) if low < mark < high)}))
+        node, far, weight = tanh_sinh(NODES)
+        start, end = cuts[:-1, None], cuts[1:, None]
+        width = end - start
+        angle = np.where(node < 0.5, start + width * node, end - width * far)
+        off = np.where(node < 0.5, (start - at) + width * node, (end - at) - width * far)
+        return angle.ravel(), (width * weight).ravel(), off.ravel()
 
     def flux_at(self, angle: Array) -> Array:
         """Return the flux at angles on either side of the middle."""
@@ -182,27 +193,8 @@ def warmest_of_band(surface: Curve, half_width: float) -> BandPeak:
     return BandPeak(float(middle - 0.25 * (left - right) * offset), half_width * math.sin(angle))
 
 
-def _lengths(first: float, last: float) -> list[float]:
-    """Return lengths that grow by the same factor, from a length on, below another one."""
-    count = 0 if first >= last else math.ceil(math.log(last / first) / math.log(LENGTH_RATIO))
-    return [first * LENGTH_RATIO**k for k in range(count)]
-
-
 def _angle(part: float) -> float:
     return math.asin(min(max(part, -1.0), 1.0))
-
-
-def _pieces(low: float, at: float, marks: tuple[float, ...]) -> tuple[Array, Array, Array]:
-    """Return angles from `low` to pi/2, their weights, and how far they lie beyond the angle `at` (nan if none)."""
-    high = 0.5 * math.pi
-    known = [] if math.isnan(at) else [at]
-    cuts = np.array(sorted({low, high, *known, *(mark for mark in marks if low < mark < high)}))
-    node, far, weight = tanh_sinh(NODES)
-    start, end = cuts[:-1, None], cuts[1:, None]
-    width = end - start
-    angle = np.where(node < 0.5, start + width * node, end - width * far)
-    off = np.where(node < 0.5, (start - at) + width * node, (end - at) - width * far)
-    return angle.ravel(), (width * weight).ravel(), off.ravel()
 
 
 def _downstream(z: Array) -> Array:

@@ -25,10 +25,11 @@ import math
 
 import numpy as np
 
+from winkler.numerics.chunks import chunks
 from winkler.numerics.fields.line_source import LineSource
 from winkler.numerics.fields.round_source import line_source
 from winkler.numerics.fields.warmest_place import PeakTemperature
-from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.integrals.quadrature import gauss_legendre, growing, panel_nodes
 from winkler.numerics.types import Array
 from winkler.values.value import value
 
@@ -77,7 +78,8 @@ class EllipticSource:
         """Return directions near which line loads change fast, from that of the motion on, up to a quarter turn."""
         away = (angle + (0.0 if self.along < self.across else 0.5 * math.pi)) % math.pi
         middle, slim = min(away, math.pi - away), min(self.along, self.across) / max(self.along, self.across)
-        near = (middle + sign * gap for gap in (0.0, *_growing(slim, 0.5 * math.pi)) for sign in (-1.0, 1.0))
+        gaps = (0.0, *growing(slim, 0.5 * math.pi, LENGTH_RATIO))
+        near = (middle + sign * gap for gap in gaps for sign in (-1.0, 1.0))
         return [direction for direction in near if 0.0 < direction < 0.5 * math.pi]
 
     def surface(self, wave: float, x: Array, y: Array, angle: float = 0.0) -> Array:
@@ -96,10 +98,8 @@ class EllipticSource:
         inside = (flat_x / self.along) ** 2 + (flat_y / self.across) ** 2 <= 1.0
         result = np.empty(flat_x.size)
         theta, share = self._directions(wave, angle)
-        rows = max(1, CHUNK // theta.size)
         (within,), (beside,) = np.nonzero(inside), np.nonzero(~inside)
-        for start in range(0, within.size, rows):
-            here = within[start : start + rows]
+        for here in (within[part] for part in chunks(within.size, theta.size, CHUNK)):
             result[here] = self._sums(wave, angle, theta, flat_x[here], flat_y[here])[0] @ share
         for place in beside:
             theta, share = self._directions(wave, angle, (flat_x[place], flat_y[place]))
@@ -143,11 +143,9 @@ class EllipticSource:
         theta, share = self._directions(wave, angle)
         width, rate = self._seen(wave, angle, theta)
         strongest = float(np.max(rate * width))
-        cuts = np.array([0.0, *_growing(1.0 / max(strongest, 1.0), 1.0), 1.0])
-        node, weight = gauss_legendre(MEAN_NODES)
+        cuts = np.array([0.0, *growing(1.0 / max(strongest, 1.0), 1.0, LENGTH_RATIO), 1.0])
         # s = h cos(turn), turn from 0 at the front edge: chords of the ellipse are as sin(turn)
-        turn = (np.pi * (cuts[:-1, None] + np.diff(cuts)[:, None] * node)).ravel()
-        part = (np.pi * np.diff(cuts)[:, None] * weight).ravel()
+        turn, part = (np.pi * each for each in panel_nodes(cuts, MEAN_NODES))
         ahead = 2.0 * np.sin(0.5 * turn) ** 2
         load = _lagged(0.5 * (rate * width)[:, None] * ahead, ahead, 1.0 - ahead)[0]
         chord = 2.0 / math.pi * np.sin(turn) ** 2 * part
@@ -185,14 +183,10 @@ class EllipticSource:
         """
         slim = min(self.along, self.across) / max(self.along, self.across)
         centres = [0.5 * k * math.pi for k in (range(0, 3, 2) if self.along > self.across else range(1, 2))]
-        near = (
-            centre + sign * gap for centre in centres for gap in (0.0, *_growing(slim, math.pi)) for sign in (-1, 1)
-        )
+        gaps = (0.0, *growing(slim, math.pi, LENGTH_RATIO))
+        near = (centre + sign * gap for centre in centres for gap in gaps for sign in (-1, 1))
         every = {0.0, 0.5 * math.pi, *(cut % math.pi for cut in cuts), *(cut for cut in near if 0.0 < cut < math.pi)}
-        ordered = np.array([*sorted(every), math.pi])
-        node, weight = gauss_legendre(NODES)
-        width = np.diff(ordered)[:, None]
-        phi, share = (ordered[:-1, None] + width * node).ravel(), (width * weight).ravel()
+        phi, share = panel_nodes(np.array([*sorted(every), math.pi]), NODES)
         reach = 1.0 / np.hypot(np.cos(phi) / self.along, np.sin(phi) / self.across)
         return phi, reach, share * reach / (2.0 * math.pi * self.along * self.across)
 
@@ -209,19 +203,16 @@ class EllipticSource:
         low, high = angle - 0.5 * math.pi, angle + 0.5 * math.pi
         longest, slim = max(self.along, self.across), min(self.along, self.across) / max(self.along, self.across)
         cuts = {low, high}
-        for gap in _growing(1.0 / max(abs(wave) * longest, 1.0), math.pi):
+        for gap in growing(1.0 / max(abs(wave) * longest, 1.0), math.pi, LENGTH_RATIO):
             cuts |= {low + gap, high - gap}
         narrow = 0.5 * math.pi if self.along >= self.across else 0.0
         centres = [narrow + k * math.pi for k in range(-3, 4)]
         for centre in centres:
-            cuts |= {centre, *(centre + sign * gap for gap in _growing(slim, math.pi) for sign in (-1, 1))}
+            cuts |= {centre, *(centre + sign * gap for gap in growing(slim, math.pi, LENGTH_RATIO) for sign in (-1, 1))}
         if place is not None:
             cuts |= {tangent + k * math.pi for tangent in self._tangents(*place) for k in range(-3, 4)}
-        ordered = np.array(sorted(cut for cut in cuts if low <= cut <= high))
-        node, weight = gauss_legendre(NODES)
-        width = np.diff(ordered)[:, None]
-        theta = (ordered[:-1, None] + width * node).ravel()
-        return theta, (width * weight).ravel() / (2.0 * math.pi)
+        theta, share = panel_nodes(np.array(sorted(cut for cut in cuts if low <= cut <= high)), NODES)
+        return theta, share / (2.0 * math.pi)
 
     def _tangents(self, x: float, y: float) -> list[float]:
         """Return the directions in which a place beside the ellipse is seen at its edge, x cos + y sin = +-h."""
@@ -276,12 +267,6 @@ def _lagged(z: Array, ahead: Array, part: Array) -> tuple[Array, Array, Array]:
     over = np.where(ahead > 0.0, z / np.where(ahead > 0.0, ahead, 1.0), 0.0)
     bend = -1.5 * (zero + (part + ahead) * over * (zero - one))
     return load, slope, bend
-
-
-def _growing(first: float, last: float) -> list[float]:
-    """Return numbers that grow by the same ratio, from the first one on, below the last."""
-    count = math.ceil(math.log(last / first) / math.log(LENGTH_RATIO)) if first < last else 0
-    return [first * LENGTH_RATIO**k for k in range(count)]
 
 
 def _steps_to_border(place: Array, step: Array) -> float:

@@ -15,7 +15,7 @@ import functools
 
 import numpy as np
 
-from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.integrals.quadrature import gauss_legendre, panel_nodes
 from winkler.numerics.types import Array
 
 LARGEST_RADIUS_RATIO = 0.9
@@ -65,9 +65,7 @@ def _solved(a: float) -> float:
     t, dt = a * nodes, a * weights
     # panels double from where the kernel is singular like ln y, up to where the images have died out
     edges = np.concatenate([[0.0], 2.0 ** np.arange(-40.0, 0.0), np.arange(1.0, 2.0 + 18.0 / (1.0 - a), 1.5)])
-    inner, share = gauss_legendre(16)
-    y = (edges[:-1, None] + np.diff(edges)[:, None] * inner).ravel()
-    dy = (np.diff(edges)[:, None] * share).ravel()
+    y, dy = panel_nodes(edges, 16)
     # exp(-y) cosh(yt) and exp(-y) (cosh(yx) - 1), without cancellation and without overflow
     right = 0.5 * (np.exp(-y[:, None] * (1.0 - t)) + np.exp(-y[:, None] * (1.0 + t)))
     left = 0.5 * (np.exp(-0.5 * y[:, None] * (1.0 - t)) - np.exp(-0.5 * y[:, None] * (1.0 + t))) ** 2

@@ -22,6 +22,7 @@ import math
 
 import numpy as np
 
+from winkler.numerics.integrals.quadrature import growing
 from winkler.numerics.panels.chebyshev import Panels, fit_nodes, panels_from
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values.value import value
@@ -112,10 +113,8 @@ class LayerEcho:
     @functools.cached_property
     def marks(self) -> Array:
         """Where panels begin and end, ascending from 0, over the length."""
-        first, marks = self.stack.thicknesses[0] / self.length, [0.0]
-        while marks[-1] < self.reach:
-            marks.append(min(max(first, PANEL_RATIO * marks[-1]), self.reach))
-        return np.array(marks)
+        first = self.stack.thicknesses[0] / self.length
+        return np.array([0.0, *growing(first, self.reach, PANEL_RATIO), self.reach])
 
     def at(self, places: Array) -> Array:
         """Return lambda T [W/m per W/m] `(directions, places)` at places behind (or, negative, ahead of) a unit source.

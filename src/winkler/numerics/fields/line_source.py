@@ -33,7 +33,7 @@ import numpy as np
 from winkler.numerics.fields.moving_source import spread_loads, surface_points
 from winkler.numerics.fields.source_tables import cosine_rule, lag_table, powers, spread_table
 from winkler.numerics.fields.warmest_place import LEAST_TEMPERATURE_GAIN, PeakTemperature, turned, warmest_place
-from winkler.numerics.integrals.quadrature import gauss_legendre, tanh_sinh
+from winkler.numerics.integrals.quadrature import gauss_legendre, growing, tanh_sinh
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.panels.cosine_pieces import cosine_places, place_on
 from winkler.numerics.types import Array, Curve
@@ -255,12 +255,8 @@ def disc_mean(wave: float, joints: Array, load: Curve) -> float:
     load : Curve
         The line load q [any], at places from -1 to 1.
     """
-    marks = {0.0, 2.0, *(1.0 - joints[:-1]), *(1.0 + joints[:-1])}
-    length = 1.0 / max(wave, 1.0)
-    while length < 2.0:
-        marks.add(length)
-        length *= LENGTH_RATIO
-    cuts = np.array(sorted(marks))
+    lengths = growing(1.0 / max(wave, 1.0), 2.0, LENGTH_RATIO)
+    cuts = np.array(sorted({0.0, 2.0, *(1.0 - joints[:-1]), *(1.0 + joints[:-1]), *lengths}))
     node, far, weight = tanh_sinh(OUTER_NODES)
     width = np.diff(cuts)[:, None]
     u, left = (cuts[:-1, None] + width * node).ravel(), (2.0 - cuts[1:, None] + width * far).ravel()
@@ -270,18 +266,26 @@ def disc_mean(wave: float, joints: Array, load: Curve) -> float:
 
 def _slopes(u: Array, left: Array, joints: Array, load: Curve) -> Array:
     """Return S at u (n,), `left` short of 2, which is counted for itself as the last piece shrinks to nothing there."""
+    (t, ahead, share), lag = before_chords_end(u, joints, INNER_NODES, left), u[:, None, None]
+    slope = (t + lag) / np.sqrt(np.maximum(ahead * (1.0 + t + lag), LEAST_SQUARE))
+    return np.asarray(np.sum(load(t.ravel()).reshape(t.shape) * slope * share, axis=(1, 2)))
+
+
+def before_chords_end(
+    u: Array, joints: Array, count: int, left: Array | float = math.inf
+) -> tuple[Array, Array, Array]:
+    """Return places t from -1 to 1 - u ``(n, pieces, count)``, how far the chord goes on behind them, and weights.
+
+    Pieces end at the joints of a line load on both sides; the first one is no longer than what is `left`.
+    """
     ends = np.array(sorted({-1.0, 1.0, *joints[:-1], *(-joints[:-1])}))
     cuts = np.minimum(ends, 1.0 - u[:, None])
     cuts[:, -1] = 1.0 - u
-    node, far, weight = tanh_sinh(INNER_NODES)
-    width = np.diff(cuts)
-    width[:, 0] = np.minimum(width[:, 0], left)
-    width = width[..., None]
-    t = cuts[:, :-1, None] + width * node
-    lag = u[:, None, None]
-    ahead = (1.0 - lag - cuts[:, 1:, None]) + width * far  # to where the chord ends
-    slope = (t + lag) / np.sqrt(np.maximum(ahead * (1.0 + t + lag), LEAST_SQUARE))
-    return np.asarray(np.sum(load(t.ravel()).reshape(t.shape) * slope * width * weight, axis=(1, 2)))
+    node, far, weight = tanh_sinh(count)
+    width = np.diff(cuts)[..., None]
+    width[:, 0, 0] = np.minimum(width[:, 0, 0], left)
+    ahead = (1.0 - u[:, None, None] - cuts[:, 1:, None]) + width * far
+    return cuts[:, :-1, None] + width * node, ahead, width * weight
 
 
 def _turned(z: Array) -> Array:

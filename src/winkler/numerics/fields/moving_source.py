@@ -31,15 +31,15 @@ Source = tuple[Array, Array, Array, Array, Array, Array, Array, Array]
 
 
 @compiled
-def _lag(z: float, edges: Array, rows: Array, series: Array) -> float:
-    """Return D(z)."""
-    if z >= edges[-1]:
-        inverse = 1.0 / z
-        total = 0.0
-        for k in range(series.size - 1, -1, -1):
-            total = total * inverse + series[k]
-        return total * inverse * math.sqrt(inverse)
-    return panel_value(z, edges, rows)
+def _spread(z: float, lags: bool, edges: Array, rows: Array, series: Array) -> float:
+    """Return D(z) where the kernel lags, else Dawson's function over its argument."""
+    if z < edges[-1]:
+        return panel_value(z, edges, rows)
+    inverse = 1.0 / z if lags else 1.0 / (z * z)
+    total = 0.0
+    for k in range(series.size - 1, -1, -1):
+        total = total * inverse + series[k]
+    return total * inverse * (math.sqrt(inverse) if lags else 1.0)
 
 
 @compiled
@@ -78,9 +78,28 @@ def line_load(x: float, joints: Array, edges: Array, rows: Array) -> float:
 
 
 @compiled
+def _summed(s: float, scale: float, lags: bool, source: Source, cuts: Array) -> float:
+    """Return the integral of the line load times the kernel of the distance from s times a scale, between cuts."""
+    joints, edges, rows, near, kernel, series, nodes, weights = source
+    ordered = np.sort(cuts)
+    total = 0.0
+    for j in range(ordered.size - 1):
+        width = ordered[j + 1] - ordered[j]
+        if width <= 0.0:
+            continue
+        part = 0.0
+        for k in range(nodes.size):
+            t = ordered[j] + width * nodes[k]
+            spread = _spread(scale * abs(t - s), lags, near, kernel, series)
+            part += weights[k] * spread * line_load(t, joints, edges, rows)
+        total += width * part
+    return total
+
+
+@compiled
 def _lagged(s: float, b: float, source: Source, cuts: Array) -> float:
     """Return q_b(s)."""
-    joints, edges, rows, near, lags, series, nodes, weights = source
+    joints, edges, rows = source[0], source[1], source[2]
     if s >= 1.0:
         return 0.0
     start = max(s, -1.0)
@@ -103,29 +122,16 @@ def _lagged(s: float, b: float, source: Source, cuts: Array) -> float:
             cuts[count] = s + step
             count += 1
         step *= LENGTH_RATIO
-    ordered = np.sort(cuts[:count])
-    total = 0.0
-    for j in range(count - 1):
-        width = ordered[j + 1] - ordered[j]
-        if width <= 0.0:
-            continue
-        part = 0.0
-        for k in range(nodes.size):
-            t = ordered[j] + width * nodes[k]
-            lag = _lag(0.5 * b * max(t - s, 0.0), near, lags, series)
-            part += weights[k] * lag * line_load(t, joints, edges, rows)
-        total += width * part
-    return line_load(s, joints, edges, rows) - 0.5 * b * total
+    return line_load(s, joints, edges, rows) - 0.5 * b * _summed(s, 0.5 * b, True, source, cuts[:count])
 
 
 @compiled
 def spread_loads(s: Array, lengths: Array, source: Source, result: Array) -> None:
     """Write q_t at places s, (n,), into `result`: at rest, on for a time, `lengths`, (n,), are sqrt(kappa t) over a."""
-    joints, edges, rows, near, spreads, series, nodes, weights = source
+    joints, edges, rows = source[0], source[1], source[2]
     cuts = np.empty(MOST_CUTS)
     for i in range(s.size):
         length = lengths[i]
-        scale = 1.0 / (length * math.pi**1.5)
         count = 2
         cuts[0] = -1.0
         cuts[1] = 1.0
@@ -140,31 +146,8 @@ def spread_loads(s: Array, lengths: Array, source: Source, result: Array) -> Non
                     cuts[count] = place
                     count += 1
             step = LENGTH_RATIO * step if step > 0.0 else 2.0 * length
-        ordered = np.sort(cuts[:count])
-        total = 0.0
-        for j in range(count - 1):
-            width = ordered[j + 1] - ordered[j]
-            if width <= 0.0:
-                continue
-            part = 0.0
-            for k in range(nodes.size):
-                t = ordered[j] + width * nodes[k]
-                away = 0.5 * abs(t - s[i]) / length
-                part += weights[k] * _spread(away, near, spreads, series) * line_load(t, joints, edges, rows)
-            total += width * part
-        result[i] = line_load(s[i], joints, edges, rows) - scale * total
-
-
-@compiled
-def _spread(z: float, edges: Array, rows: Array, series: Array) -> float:
-    """Return Dawson's function over its argument."""
-    if z >= edges[-1]:
-        inverse = 1.0 / (z * z)
-        total = 0.0
-        for k in range(series.size - 1, -1, -1):
-            total = total * inverse + series[k]
-        return total * inverse
-    return panel_value(z, edges, rows)
+        total = _summed(s[i], 0.5 / length, False, source, cuts[:count])
+        result[i] = line_load(s[i], joints, edges, rows) - total / (length * math.pi**1.5)
 
 
 @compiled

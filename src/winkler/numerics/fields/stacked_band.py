@@ -9,7 +9,6 @@ import numpy as np
 
 from winkler.numerics.fields.band_source import BandPeak, BandSource, warmest_of_band
 from winkler.numerics.fields.layer_echo import LayerEcho, Stack
-from winkler.numerics.integrals.quadrature import tanh_sinh
 from winkler.numerics.types import Array
 from winkler.values.value import value
 
@@ -79,9 +78,4 @@ class StackedBand:
     def _angles(self, places: list[float]) -> tuple[Array, Array]:
         """Return angles over the strip, in pieces between these places and the joints of the flux, and weights."""
         ends = [math.asin(place) for place in places if abs(place) < 1.0]
-        joints = [sign * joint for joint in self.source.joints for sign in (1.0, -1.0)]
-        cuts = np.array(sorted({-0.5 * math.pi, *ends, *joints, 0.5 * math.pi}))
-        node, far, weight = tanh_sinh(NODES)
-        width = np.diff(cuts)[:, None]
-        angle = np.where(node < 0.5, cuts[:-1, None] + width * node, cuts[1:, None] - width * far)
-        return angle.ravel(), (width * weight).ravel()
+        return self.source.pieces(-0.5 * math.pi, math.nan, ends)[:2]

@@ -11,10 +11,10 @@ import numpy as np
 from winkler.numerics.fields.elliptic_source import EllipticSource
 from winkler.numerics.fields.layer_echo import LayerEcho, Stack
 from winkler.numerics.fields.layered_source import echoed_points
-from winkler.numerics.fields.line_source import LineSource
+from winkler.numerics.fields.line_source import LineSource, before_chords_end
 from winkler.numerics.fields.source_tables import cosine_rule, powers
 from winkler.numerics.fields.warmest_place import PeakTemperature, turned, warmest_place, warmest_within
-from winkler.numerics.integrals.quadrature import gauss_legendre, tanh_sinh
+from winkler.numerics.integrals.quadrature import growing, panel_nodes
 from winkler.numerics.types import Array
 from winkler.values.value import value
 
@@ -58,17 +58,9 @@ class StackedSource:
         a = self.source.ball.radius
         # long waves, which feel the whole stack, turn with the motion the closest to its normal
         layer = min(self.stack.diffusivities) / max(abs(self.speed) * a * max(2.0, self.stack.depth / a), 1e-300)
-        while layer < 0.25 * math.pi:
-            cuts.add(0.5 * math.pi - layer)
-            layer *= LENGTH_RATIO
-        edge = math.sqrt(self.stack.thicknesses[0] / a)
-        while edge < 0.25 * math.pi:
-            cuts.add(edge)
-            edge *= LENGTH_RATIO
-        ends = np.array(sorted(cuts))
-        node, weight = gauss_legendre(DIRECTION_NODES)
-        width = np.diff(ends)[:, None]
-        return (ends[:-1, None] + width * node).ravel(), (width * weight).ravel()
+        cuts.update(0.5 * math.pi - away for away in growing(layer, 0.25 * math.pi, LENGTH_RATIO))
+        cuts.update(growing(math.sqrt(self.stack.thicknesses[0] / a), 0.25 * math.pi, LENGTH_RATIO))
+        return panel_nodes(np.array(sorted(cuts)), DIRECTION_NODES)
 
     def _echo(self, reach: float) -> LayerEcho:
         rates = abs(self.speed) * np.cos(self._rule[0])
@@ -135,25 +127,17 @@ class StackedSource:
 
     def _folded(self, echo: LayerEcho, width: float) -> Array:
         """Return the mean of what the echoes add to line loads of a width, (directions,), over the scale of q."""
-        node, weight = gauss_legendre(FOLD_NODES)
         marks = np.array([*(mark for mark in echo.marks / width if mark < 2.0), 2.0])
-        step = np.diff(marks)[:, None]
-        places, shares = (marks[:-1, None] + step * node).ravel(), (step * weight).ravel()
+        places, shares = panel_nodes(marks, FOLD_NODES)
         return np.asarray((echo.at(width * places) + echo.at(-width * places)) @ (self._overlap(places) * shares))
 
     def _overlap(self, z: Array) -> Array:
         """Return the integrals (n,) of q(t) and the chord of the disc at t + z, over its area and the scale of q."""
         source = self.source.ball
-        joints = np.array(sorted({-1.0, 1.0, *source.joints[:-1], *(-source.joints[:-1])}))
-        cuts = np.minimum(joints, 1.0 - z[:, None])
-        cuts[:, -1] = 1.0 - z
-        node, far, weight = tanh_sinh(ENDS)
-        low, width = cuts[:, :-1, None], np.diff(cuts)[..., None]
-        t = low + width * node
-        ahead = (1.0 - z[:, None, None] - cuts[:, 1:, None]) + width * far  # to where the chord ends
+        t, ahead, share = before_chords_end(z, source.joints, ENDS)
         chord = 2.0 / math.pi * np.sqrt(np.maximum(ahead * (1.0 + t + z[:, None, None]), 0.0))
         load = source.load(source.radius * t.ravel()).reshape(t.shape) / source.scale
-        return np.asarray(np.sum(load * chord * width * weight, axis=(1, 2)))
+        return np.asarray(np.sum(load * chord * share, axis=(1, 2)))
 
 
 def _powers(rows: Array) -> Array:

@@ -18,6 +18,7 @@ References
 from __future__ import annotations
 
 import functools
+import math
 
 import numpy as np
 
@@ -57,6 +58,19 @@ def gauss_legendre(count: int) -> tuple[Array, Array]:
         raise InvalidInput(f"gauss_legendre: count is {count}; give at least 1.")
     nodes, weights = np.polynomial.legendre.leggauss(count)
     return _shared(0.5 * (1.0 + nodes)), _shared(0.5 * weights)
+
+
+def panel_nodes(edges: Array, count: int) -> tuple[Array, Array]:
+    """Return nodes and weights of Gauss-Legendre rules of `count` nodes on all panels, one after the other."""
+    nodes, weights = gauss_legendre(count)
+    width = np.diff(edges)[:, None]
+    return (edges[:-1, None] + width * nodes).ravel(), (width * weights).ravel()
+
+
+def growing(first: float, last: float, ratio: float) -> list[float]:
+    """Return lengths that grow by the same ratio, from the first one on, below the last: ends of panels."""
+    count = math.ceil(math.log(last / first) / math.log(ratio)) if first < last else 0
+    return [length for k in range(count) if (length := first * ratio**k) < last]
 
 
 @functools.lru_cache(maxsize=64)

@@ -11,7 +11,8 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from winkler.numerics.integrals.quadrature import gauss_legendre, tanh_sinh
+from winkler.numerics.integrals.quadrature import gauss_legendre, growing, tanh_sinh
+from winkler.numerics.panels.abel_intervals import root_difference
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 from winkler.values.value import value
@@ -24,20 +25,12 @@ NOISE_RATIO = 1e4
 """A series that does not get shorter on halving, and ends this near to its tolerance, ends in rounding noise."""
 
 
-def root(x: Array, b: Array) -> Array:
-    """Return sqrt(x^2 - b^2) without cancellation."""
-    return np.asarray(np.sqrt(np.maximum(x - b, 0.0) * (x + b)))
-
-
 def doubled(kinks: Sequence[float], end: float) -> Array:
     """Return the kinks below `end`, and after each its doubles up to the next: beyond 2 b the root at b is smooth."""
     inner = sorted({b for b in kinks if 0.0 < b < end})
     places = list(inner)
     for b, following in zip(inner, [*inner, end][1:], strict=True):
-        twice = 2.0 * b
-        while twice < following:
-            places.append(twice)
-            twice *= 2.0
+        places += growing(2.0 * b, following, 2.0)
     return np.array(sorted(places))
 
 
@@ -68,7 +61,7 @@ def nodes(edges: Array, kinks: Array, count: int) -> tuple[Array, Array]:
     x, weights : ndarray, (m, n)
     """
     base = _base(kinks, edges[:, :-1])
-    low, high = root(edges[:, :-1], base), root(edges[:, 1:], base)
+    low, high = root_difference(edges[:, :-1], base), root_difference(edges[:, 1:], base)
     places, shares = gauss_legendre(count)
     first, _, first_shares = tanh_sinh(4 * count + 1)
     y = [low[:, :1] + (high - low)[:, :1] * first]
@@ -81,7 +74,7 @@ def nodes(edges: Array, kinks: Array, count: int) -> tuple[Array, Array]:
     distance, measure, kink = (np.concatenate(parts, axis=1) for parts in (y, w, b))
     x = np.clip(np.hypot(kink, distance), edges[:, :1], edges[:, -1:])
     # of the rounded x, where an inverse root will be taken: it cancels exactly
-    rooted = np.where(kink > 0.0, root(x, kink), distance)
+    rooted = np.where(kink > 0.0, root_difference(x, kink), distance)
     return x, measure * np.where(x > 0.0, rooted / np.where(x > 0.0, x, 1.0), 1.0)
 
 
@@ -107,8 +100,8 @@ class RootPanels:
         x = np.asarray(x, dtype=float)
         index = np.clip(np.searchsorted(self.edges, x, side="left") - 1, 0, self.base.size - 1)
         base = self.base[index]
-        low, high = root(self.edges[index], base), root(self.edges[index + 1], base)
-        t = np.clip((2.0 * root(x, base) - low - high) / (high - low), -1.0, 1.0)
+        low, high = root_difference(self.edges[index], base), root_difference(self.edges[index + 1], base)
+        t = np.clip((2.0 * root_difference(x, base) - low - high) / (high - low), -1.0, 1.0)
         double = 2.0 * t
         result = np.empty((len(self.coefficients), *x.shape))
         for function, series in enumerate(self.coefficients):
@@ -122,11 +115,11 @@ class RootPanels:
 
     def slope(self, x: Array) -> Array:
         """Return the derivatives by x ``(functions, *x.shape)``; infinite just at a kink, where a root starts."""
-        width = np.diff(root(np.array([self.edges[:-1], self.edges[1:]]), self.base), axis=0)[0]
+        width = np.diff(root_difference(np.array([self.edges[:-1], self.edges[1:]]), self.base), axis=0)[0]
         derived = np.polynomial.chebyshev.chebder(self.coefficients, axis=2) * (2.0 / width[:, None])
         by_root = RootPanels(self.edges, self.base, derived)(x)
         index = np.clip(np.searchsorted(self.edges, x, side="left") - 1, 0, self.base.size - 1)
-        y = root(np.asarray(x, dtype=float), self.base[index])
+        y = root_difference(np.asarray(x, dtype=float), self.base[index])
         with np.errstate(divide="ignore"):
             return np.asarray(np.where(self.base[index] > 0.0, by_root * (x / y), by_root))
 
@@ -162,7 +155,7 @@ def fit(
     before = np.full((1, low.size), np.inf)
     for depth in range(MOST_HALVINGS + 1):
         base = _base(kinks, low)
-        start, stop = root(low, base), root(high, base)
+        start, stop = root_difference(low, base), root_difference(high, base)
         x = np.clip(
             np.hypot(base[:, None], start[:, None] + (stop - start)[:, None] * points), low[:, None], high[:, None]
         )

@@ -12,7 +12,9 @@ in the pixel is as good.
 
 from __future__ import annotations
 
+import functools
 import math
+from collections.abc import Callable
 from typing import Protocol
 
 import numpy as np
@@ -36,11 +38,9 @@ class RadialPart(Protocol):
 
     def at(self, r: Array) -> Array:
         """Return k(r), r > 0."""
-        ...
 
     def within(self, r: Array) -> Array:
         """Return Q(r), the integral of k r from 0 to r."""
-        ...
 
 
 def over_pixels(kernel: RadialPart, shape: tuple[int, int], pixel: tuple[float, float]) -> Array:
@@ -57,7 +57,7 @@ def over_pixels(kernel: RadialPart, shape: tuple[int, int], pixel: tuple[float, 
     """
     dx, dy = pixel
     farthest, side = math.hypot(shape[0] * dx, shape[1] * dy), max(dx, dy)
-    near = tuple(min(n, math.ceil(FAR_ZONES[0][0] * side / d) + 1) for n, d in zip(shape, (dx, dy), strict=True))
+    nx, ny = (min(n, math.ceil(FAR_ZONES[0][0] * side / d) + 1) for n, d in zip(shape, pixel, strict=True))
     x, y = np.arange(shape[0]) * dx, np.arange(shape[1]) * dy
     result = np.empty(shape)
     far = np.hypot(x[:, None], y[None, :]) / side
@@ -67,11 +67,8 @@ def over_pixels(kernel: RadialPart, shape: tuple[int, int], pixel: tuple[float, 
         if rows.size:
             spline = _far_spline(kernel, start * side, farthest)
             result[rows, columns] = _gauss(spline, x[rows], y[columns], (dx, dy), count)
-    corner = _corners(kernel, (np.arange(near[0] + 1) - 0.5) * dx, (np.arange(near[1] + 1) - 0.5) * dy)
-    close = corner[1:, 1:] - corner[:-1, 1:] - corner[1:, :-1] + corner[:-1, :-1]
-    result[: near[0], : near[1]] = np.where(
-        far[: near[0], : near[1]] < FAR_ZONES[0][0], close, result[: near[0], : near[1]]
-    )
+    close = from_corners(functools.partial(_corners, kernel), (nx, ny), pixel)
+    result[:nx, :ny] = np.where(far[:nx, :ny] < FAR_ZONES[0][0], close, result[:nx, :ny])
     return result
 
 
@@ -100,9 +97,59 @@ def over_slices(kernel: RadialPart, edges: Array, across: float, rows: int) -> A
     reach = np.log(np.abs(x))
     low, high = float(np.min(reach)), float(np.max(reach))
     places = np.linspace(low, high, max(16, math.ceil((high - low) / SLICE_STEP)))
-    corner = _corners(kernel, np.exp(places), (np.arange(rows + 1) - 0.5) * across)
+    corner = _corners(kernel, np.exp(places)[:, None], (np.arange(rows + 1) - 0.5) * across)
     strips = CubicSpline(places, np.diff(corner, axis=1))(reach)  # up to x, odd in it
     return np.asarray(np.diff(np.sign(x)[..., None] * strips, axis=0).transpose(2, 1, 0))
+
+
+def from_corners(corner: Callable[[Array, Array], Array], shape: tuple[int, int], pixel: tuple[float, float]) -> Array:
+    """Return the integral over the pixel around (0, 0), seen from (i dx, j dy), of what `corner` integrates from zero.
+
+    Parameters
+    ----------
+    corner
+        The integral over the rectangle from (0, 0) to (x, y), of places x ``(n, 1)`` and y ``(m,)``.
+    shape
+        How many places.
+    pixel
+        (dx, dy).
+    """
+    x, y = ((np.arange(count + 1) - 0.5) * side for count, side in zip(shape, pixel, strict=True))
+    corners = corner(x[:, None], y)
+    return np.asarray(corners[1:, 1:] - corners[:-1, 1:] - corners[1:, :-1] + corners[:-1, :-1])
+
+
+def love(x: Array, y: Array) -> Array:
+    """Return pi times the displacement by Love of E* at the corner of a rectangle under a unit pressure."""
+    return np.asarray(x * np.arcsinh(y / np.abs(x)) + y * np.arcsinh(x / np.abs(y)))
+
+
+def transformed(quarter: Array, padded: tuple[int, int], parity: tuple[int, int] = (1, 1), workers: int = 1) -> Array:
+    """Return the transform of a kernel that is known at positive places; over i if it is odd in one direction.
+
+    Parameters
+    ----------
+    quarter : ndarray, (nx, ny)
+    padded
+        Number of places around which it is wrapped.
+    parity
+        One for each direction in which it is even, minus one for each in which it is odd.
+    workers
+        Threads.
+    """
+    import scipy.fft
+
+    (nx, ny), (mx, my) = quarter.shape, padded
+    if parity[0] < 0:
+        quarter[0] = 0.0
+    if parity[1] < 0:
+        quarter[:, 0] = 0.0
+    whole = np.zeros(padded)
+    whole[:nx, :ny] = quarter
+    whole[mx - nx + 1 :, :ny] = parity[0] * quarter[:0:-1]
+    whole[:, my - ny + 1 :] = parity[1] * whole[:, ny - 1 : 0 : -1]
+    transform = scipy.fft.rfft2(whole, workers=workers)
+    return np.ascontiguousarray(transform.real if parity[0] == parity[1] else transform.imag)
 
 
 def _gauss(spline: object, x: Array, y: Array, pixel: tuple[float, float], count: int) -> Array:
@@ -126,9 +173,9 @@ def _far_spline(kernel: RadialPart, nearest: float, farthest: float) -> object:
 
 
 def _corners(kernel: RadialPart, x: Array, y: Array) -> Array:
-    """Return I(x, y), odd in both, on a grid."""
-    wide, high = np.abs(x)[:, None], np.abs(y)[None, :]
-    return np.asarray(np.sign(x)[:, None] * np.sign(y) * (_sector(kernel, wide, high) + _sector(kernel, high, wide)))
+    """Return I(x, y), odd in both, on a grid of x ``(n, 1)`` and y ``(m,)``."""
+    wide, high = np.abs(x), np.abs(y)[None, :]
+    return np.asarray(np.sign(x) * np.sign(y) * (_sector(kernel, wide, high) + _sector(kernel, high, wide)))
 
 
 def _sector(kernel: RadialPart, x: Array, y: Array) -> Array:

@@ -17,6 +17,7 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
+from winkler.numerics.chunks import chunks
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.pixels.integrals import over_pixels
 from winkler.numerics.transforms.cosine_transform import WaveResponse
@@ -38,7 +39,6 @@ class ShearResponse(WaveResponse, Protocol):
     @property
     def compressed(self) -> float:
         """The limit of (1 + M) / xi for long waves [m]; infinite on a half-space."""
-        ...
 
 
 class LayeredShear(NamedTuple):
@@ -128,9 +128,8 @@ def _turned(kernel: RadialKernel, shape: tuple[int, int], pixel: tuple[float, fl
         place = ((np.arange(parts)[:, None] + node) / parts).ravel() - 0.5
         share = np.tile(weight / parts, parts)
         rows, columns = np.nonzero((far >= start) & (far < stop))
-        block = max(1, MOST_PLACES // place.size**2)
-        for first in range(0, rows.size, block):
-            i, j = rows[first : first + block], columns[first : first + block]
+        for part in chunks(rows.size, place.size**2, MOST_PLACES):
+            i, j = rows[part], columns[part]
             a = (x[i][:, None] + place * pixel[0])[:, :, None]
             b = (y[j][:, None] + place * pixel[1])[:, None, :]
             square = a * a + b * b

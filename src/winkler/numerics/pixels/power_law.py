@@ -21,6 +21,7 @@ import numpy as np
 
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.pixels.integrals import over_pixels, over_slices
+from winkler.numerics.transforms.graded_abel import right_cosine
 from winkler.numerics.types import Array
 
 NODES = 32
@@ -66,15 +67,10 @@ class PowerLawSurface(NamedTuple):
         """Zero: the displacement under a uniform pressure is infinite, and the mean is left at rest."""
         return 0.0
 
-    @property
-    def _cosine(self) -> float:
-        """cos(k pi / 2), to the last digit near one."""
-        return math.sin(0.5 * math.pi * (1.0 - abs(self.exponent)))
-
     def whole(self, wave: Array) -> Array:
         """Return 1 + M at positive wave numbers of any shape."""
         k = self.exponent
-        share = self._cosine * math.gamma(0.5 * (1.0 - k)) / math.gamma(0.5 * (1.0 + k))
+        share = right_cosine(k) * math.gamma(0.5 * (1.0 - k)) / math.gamma(0.5 * (1.0 + k))
         return np.asarray(share * (0.5 * self.depth * wave) ** k)
 
     def pixels(self, shape: tuple[int, int], pixel: tuple[float, float]) -> Array:
@@ -109,7 +105,7 @@ class PowerLawSurface(NamedTuple):
     @property
     def strength(self) -> float:
         """u(r) r^(1 + k) of E* under a unit force [m^k]."""
-        return float(self._cosine * self.depth**self.exponent / math.pi)
+        return float(right_cosine(self.exponent) * self.depth**self.exponent / math.pi)
 
     @property
     def _kernels(self) -> tuple[PowerLawKernel, PowerLawKernel]:

@@ -15,11 +15,10 @@ import math
 import numpy as np
 
 from winkler.numerics.plates.face import step_on
-from winkler.numerics.plates.pressed_sums import left_over, shared
+from winkler.numerics.plates.pressed_sums import left_over, shared, unsettled
 from winkler.numerics.plates.responding_grid import RespondingGrid
 from winkler.numerics.plates.screened_inverse import kernel_of
 from winkler.numerics.types import Array
-from winkler.values.errors import NotConverged
 
 MOST_STEPS = 400
 """Steps after which a contact has not converged; ten to a hundred are usual."""
@@ -87,12 +86,7 @@ class PlateContact:
             total += count
             if not self._moved(settled) and not self._moved(self.first):
                 return total  # rounding: the whole surface is looked at again
-        shape = f"{self.p.shape[0]} x {self.p.shape[1]}"
-        raise NotConverged(
-            f"the contact of {shape} pixels still overlaps by {left[0]:.3g} of its depth, and pressures do "
-            f"{left[1]:.3g} of the work on gaps, after {MOST_STEPS} steps; allowed are {tolerance:.3g} of both. "
-            "Allow a larger tolerance, or smooth the heights."
-        )
+        raise unsettled(self.p.shape, left, f"{MOST_STEPS} steps", tolerance)
 
     def _entering(self, soft: Array, least: float) -> Array:
         """Return which of the pixels that bear nothing, or the ceiling, enter."""

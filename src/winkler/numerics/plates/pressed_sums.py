@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 from winkler.numerics.arrays import dot, namespace_of
+from winkler.values.errors import NotConverged
 
 MOST_SHARING_STEPS = 200
 """Steps to share a load out among pixels that bear no more than the ceiling; five are usual."""
@@ -21,6 +22,15 @@ def overlap_and_work(p: Any, gap: Any, depth: float, ceiling: float) -> tuple[fl
     if not math.isfinite(overlap + spent + borne):
         return math.inf, math.inf
     return overlap / abs(depth), spent / borne if borne > 0.0 else 0.0
+
+
+def unsettled(shape: tuple[int, ...], left: tuple[float, float], done: str, tolerance: float) -> NotConverged:
+    """Return the refusal of a contact in which overlap and work, as of `overlap_and_work`, are left after `done`."""
+    return NotConverged(
+        f"the contact of {shape[0]} x {shape[1]} pixels still overlaps by {left[0]:.3g} of its depth, and pressures do "
+        f"{left[1]:.3g} of the work on gaps, after {done}; allowed are {tolerance:.3g} of both. "
+        "Allow a larger tolerance, or smooth the heights."
+    )
 
 
 def left_over(p: Any, gap: Any, ceiling: float) -> tuple[float, float, float]:

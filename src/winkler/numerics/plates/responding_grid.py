@@ -11,13 +11,10 @@ class RespondingGrid(Protocol):
     @property
     def shape(self) -> tuple[int, int]:
         """(nx, ny), pixels."""
-        ...
 
     @property
     def padded(self) -> tuple[int, int]:
         """Size of the transform: that of the grid if it is periodic."""
-        ...
 
     def displaced(self, pressure: Any) -> Any:
         """Return displacements under pressures, (nx, ny)."""
-        ...

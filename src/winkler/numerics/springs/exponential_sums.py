@@ -145,6 +145,19 @@ def _root(function: Callable[[float], float], low: float, high: float) -> float:
     return float(brentq(function, left, right, xtol=1e-300, rtol=8.9e-16, maxiter=500))
 
 
+def _roots(falling: Callable[[float], float], poles: Array, below: bool, reach: float) -> list[float]:
+    """Return the zeros between poles, `below` the first one, and beyond the last if the function falls over a reach."""
+    ends = [0.0] * below + poles.tolist()
+    rates = [_root(falling, low, high) for low, high in pairwise(ends)]
+    if reach > 0.0:
+        last = float(poles[-1]) if poles.size else 0.0
+        bound = last + 1.0001 * reach
+        while falling(bound) >= 0.0:
+            bound *= 2.0
+        rates.append(_root(falling, last, bound))
+    return rates
+
+
 def zeros(series: RelaxationSeries) -> tuple[Array, Array]:
     """Return the rates at which a solid left alone recovers.
 
@@ -167,19 +180,10 @@ def zeros(series: RelaxationSeries) -> tuple[Array, Array]:
         with np.errstate(divide="ignore"):
             return float(series.relaxed - series.viscosity * rate + np.sum(moduli * (rate / (rate - poles))))
 
-    rates: list[float] = []
-    if poles.size and series.relaxed > 0.0:
-        rates.append(_root(falling, 0.0, float(poles[0])))
-    elif series.relaxed == 0.0 and (poles.size or series.viscosity > 0.0):
-        rates.append(0.0)
-    rates.extend(_root(falling, float(low), float(high)) for low, high in pairwise(poles))
-    if series.viscosity > 0.0 and (poles.size or series.relaxed > 0.0):
-        last = float(poles[-1]) if poles.size else 0.0
-        bound = last + 1.0001 * (series.relaxed + float(np.sum(moduli))) / series.viscosity
-        while falling(bound) >= 0.0:
-            bound *= 2.0
-        rates.append(_root(falling, last, bound))
-    roots = np.array(rates)
+    beyond = series.viscosity > 0.0 and (poles.size or series.relaxed > 0.0)
+    reach = (series.relaxed + float(np.sum(moduli))) / series.viscosity if beyond else 0.0
+    at_rest = [0.0] * (series.relaxed == 0.0 and (poles.size > 0 or series.viscosity > 0.0))
+    roots = np.array(at_rest + _roots(falling, poles, series.relaxed > 0.0, reach))
     slopes = series.viscosity + np.sum(moduli * poles / (roots[:, None] - poles) ** 2, axis=1)
     return roots, 1.0 / slopes
 
@@ -218,17 +222,9 @@ def of_creep(series: CreepSeries) -> RelaxationSeries:
             flow = series.fluidity / rate if series.fluidity > 0.0 else 0.0
             return -float(series.glassy - flow + np.sum(strengths / (poles - rate)))
 
-    rates: list[float] = []
-    if series.fluidity > 0.0 and poles.size:
-        rates.append(_root(falling, 0.0, float(poles[0])))
-    rates.extend(_root(falling, float(low), float(high)) for low, high in pairwise(poles))
-    if series.glassy > 0.0 and (poles.size or series.fluidity > 0.0):
-        last = float(poles[-1]) if poles.size else 0.0
-        bound = last + 1.0001 * (series.fluidity + float(np.sum(strengths))) / series.glassy
-        while falling(bound) >= 0.0:
-            bound *= 2.0
-        rates.append(_root(falling, last, bound))
-    roots = np.array(rates)
+    beyond = series.glassy > 0.0 and (poles.size or series.fluidity > 0.0)
+    reach = (series.fluidity + float(np.sum(strengths))) / series.glassy if beyond else 0.0
+    roots = np.array(_roots(falling, poles, series.fluidity > 0.0, reach))
     slopes = np.sum(strengths / (poles - roots[:, None]) ** 2, axis=1) if roots.size else roots
     slopes = slopes + (series.fluidity / roots**2 if series.fluidity > 0.0 else 0.0)
     whole = series.glassy + float(np.sum(series.compliances))

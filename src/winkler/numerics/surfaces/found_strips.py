@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.numerics.chunks import chunks
 from winkler.numerics.fields.strips_below import loads_of
 from winkler.numerics.surfaces.pressed_line import PressedLine
 from winkler.numerics.surfaces.refined_strips import gaps
@@ -218,8 +219,7 @@ class ElementStrips(NamedTuple):
         p, left = self.pressed.pressure[bears], self.places[bears] - 0.5 * self.spacing
         zeta = (np.asarray(x) + 1j * np.asarray(z)).ravel()
         whole, slope = np.zeros(zeta.shape, dtype=complex), np.zeros(zeta.shape, dtype=complex)
-        for first in range(0, zeta.size, PLACES_PER_CHUNK):
-            part = slice(first, first + PLACES_PER_CHUNK)
+        for part in chunks(zeta.size, 1, PLACES_PER_CHUNK):
             near = zeta[part, None] - left[None, :]
             far = near - self.spacing
             with np.errstate(all="ignore"):
@@ -240,9 +240,8 @@ FoundStrips = RefinedStrips | ElementStrips
 
 def _summed(places: Array, loads: Array, k: Array) -> ComplexArray:
     """Return the transform of line loads."""
-    step = max(1, PAIRS_PER_CHUNK // max(places.size, 1))
-    parts = [np.exp(-1j * np.outer(k[i : i + step], places)) @ loads for i in range(0, k.size, step)]
-    return np.concatenate(parts)
+    parts = chunks(k.size, places.size, PAIRS_PER_CHUNK)
+    return np.concatenate([np.exp(-1j * np.outer(k[part], places)) @ loads for part in parts])
 
 
 def runs(active: Array) -> Array:

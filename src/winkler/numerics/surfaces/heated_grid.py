@@ -25,6 +25,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.pixels.integrals import love
 from winkler.numerics.types import Array
 
 NODES = 32
@@ -117,7 +118,7 @@ def pixel_temperatures(shape: tuple[int, int], pixel: tuple[float, float], wave:
     y = (np.arange(ny) + 0.5) * dy
     if k * math.hypot(nx * dx, ny * dy) < RESTS:
         x = (np.arange(-nx, nx) + 0.5) * dx
-        corner = x[:, None] * np.arcsinh(y / np.abs(x[:, None])) + y * np.arcsinh(x[:, None] / y)
+        corner = love(x[:, None], y)
     else:
         rows = max(1, CHUNK // (NODES * ny))
         x = (np.arange(-nx, nx) + 0.5) * dx

@@ -11,10 +11,9 @@ import math
 from typing import Any, NamedTuple
 
 from winkler.numerics.arrays import cast, dot, namespace_of
-from winkler.numerics.plates.pressed_sums import left_over, shared
+from winkler.numerics.plates.pressed_sums import left_over, shared, unsettled
 from winkler.numerics.row_blocks import RowBlocks
 from winkler.numerics.surfaces.surface_grid import SurfaceGrid
-from winkler.values.errors import NotConverged
 
 LOG = logging.getLogger(__name__)
 REPORTED_PIXELS = 2**18
@@ -135,12 +134,7 @@ class BoxContact:
             before, self.wrong = self.wrong, before
         if single:
             return most
-        shape = f"{self.p.shape[0]} x {self.p.shape[1]}"
-        raise NotConverged(
-            f"the contact of {shape} pixels still overlaps by {left[0]:.3g} of its depth, and pressures do "
-            f"{left[1]:.3g} of the work on gaps, after {most} steps; allowed are {tolerance:.3g} of both. "
-            "Allow a larger tolerance, or smooth the heights."
-        )
+        raise unsettled(self.p.shape, left, f"{most} steps", tolerance)
 
     def _empty(self) -> Any:
         return cast(self.xp.zeros_like(self.p), self.digits)

@@ -18,7 +18,7 @@ import numpy as np
 from winkler.numerics.arrays import cast, given, namespace_of, to_numpy
 from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.plates.plate_contact import PlateContact
-from winkler.numerics.plates.pressed_sums import overlap_and_work, shared
+from winkler.numerics.plates.pressed_sums import overlap_and_work, shared, unsettled
 from winkler.numerics.surfaces.pressed_box import BoxContact, ByDepth, ByLoad, box_around
 from winkler.numerics.surfaces.surface_grid import DOUBLE, SINGLE, SurfaceGrid
 from winkler.values.errors import NotConverged, OutsideValidity
@@ -249,11 +249,7 @@ def _pressed(
         inner = inner if digits != p.dtype else max(inner * INNER_RATIO, 1e-15)
         if elastic and isinstance(drive, ByLoad):
             p *= drive.load / float(xp.sum(p))
-    raise NotConverged(
-        f"the contact of {shape[0]} x {shape[1]} pixels still overlaps by {left[0]:.3g} of its depth, and pressures do "
-        f"{left[1]:.3g} of the work on gaps, after {MOST_ROUNDS} rounds; allowed are {tolerance:.3g} of both. "
-        "Allow a larger tolerance, or smooth the heights."
-    )
+    raise unsettled(shape, left, f"{MOST_ROUNDS} rounds", tolerance)
 
 
 def _first(heights: Any, drive: ByDepth | ByLoad, pixel: tuple[float, float], ceiling: float, start: Any) -> Any:

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.numerics.fields.strip_potential import StripTerms
-from winkler.numerics.surfaces.strip_equations import LineCurve, Spots, equations, moved, nodes_of
+from winkler.numerics.surfaces.strip_equations import LineCurve, Spots, bare, equations, moved, nodes_of
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
@@ -100,10 +100,7 @@ def _terms(curve: LineCurve, start: float, end: float) -> int:
     while 2 * count <= MOST_TERMS // 2:
         strip = StripTerms(start, end, np.zeros(count), corners=curve.inside(start, end))
         t = nodes_of(strip)
-        x = strip.middle + strip.half * t
-        slope = curve.slope(x) - strip.polynomial(x)
-        for place, jump, bend in strip.corners:
-            slope = slope - np.where(x >= place, jump + bend * (x - place), 0.0)
+        slope = bare(curve, strip, t)
         order = np.arange(max(count - 3, 0), count + 1)
         last = 2.0 / t.size * np.cos(np.arccos(t)[None, :] * order[:, None]) @ slope
         if float(np.max(np.abs(last))) <= TAIL * float(np.max(np.abs(slope)) or 1.0):

@@ -18,6 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.numerics.pixels.integrals import love
 from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
@@ -104,9 +105,9 @@ class SlenderGrid(NamedTuple):
         middles, lengths = 0.5 * (edges[1:] + edges[:-1]), np.diff(edges)
         y = (np.arange(2 * rows + 1) - 0.5) * across
         x = edges[:, None, None] - middles[:, None]
-        corner = x * np.arcsinh(y / np.abs(x)) + y * np.arcsinh(x / np.abs(y))
-        love = np.diff(np.diff(corner, axis=2), axis=0).transpose(2, 1, 0)  # rows apart, at the middle, of the element
-        moved = love / np.pi if layers is None else love / np.pi + layers.slices(edges, across, 2 * rows)
+        # rows apart, at the middle, of the element
+        pressed = np.diff(np.diff(love(x, y), axis=2), axis=0).transpose(2, 1, 0)
+        moved = pressed / np.pi if layers is None else pressed / np.pi + layers.slices(edges, across, 2 * rows)
         weighted = moved * (across * lengths[:, None])
         mutual = 0.5 * (weighted + weighted.transpose(0, 2, 1))
         wrapped = np.concatenate([mutual, np.zeros((1, *mutual.shape[1:])), mutual[:0:-1]])

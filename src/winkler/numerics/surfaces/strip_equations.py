@@ -71,7 +71,7 @@ def nodes_of(strip: StripTerms) -> Array:
     return np.cos(math.pi * (np.arange(count) + 0.5) / count)
 
 
-def _own(curve: LineCurve, strip: StripTerms, t: Array) -> Array:
+def bare(curve: LineCurve, strip: StripTerms, t: Array) -> Array:
     """Return f' less the jumps of the corners, and less what these bend beside them."""
     x = strip.middle + strip.half * t
     smooth = curve.slope(x) - strip.polynomial(x)
@@ -137,7 +137,7 @@ def equations(curve: LineCurve, spots: Spots, force: float, moment: float) -> tu
             slopes[balance + 1, first : first + min(count, 2)] = [
                 0.5 * math.pi * h * strip.middle, 0.25 * math.pi * h**2
             ][: min(count, 2)]  # fmt: skip
-        left[mine] = _own(curve, strip, t) - spots.tilt + strip.walls[1]
+        left[mine] = bare(curve, strip, t) - spots.tilt + strip.walls[1]
         left[mine] -= np.cos(np.arccos(t)[:, None] * np.arange(1, count + 1)) @ strip.series
         for side in (0, 1):
             column = first + count + side
@@ -157,7 +157,7 @@ def equations(curve: LineCurve, spots: Spots, force: float, moment: float) -> tu
                 ends[side] += sign * step
                 new = _with_edges(curve, strip, *ends)
                 at_edges[j] = ends
-                pair.append((new.potential(far).real, _own(curve, new, t), new.raised(at_edges), new.force, new.moment))
+                pair.append((new.potential(far).real, bare(curve, new, t), new.raised(at_edges), new.force, new.moment))
             source, own, raised, pushed, turned = (
                 (one - other) / (2.0 * step) for one, other in zip(*pair, strict=True)
             )

@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from winkler.numerics.arrays import cast, dot, namespace_of, real_waves, waves_back
+from winkler.numerics.pixels.integrals import from_corners, love, transformed
 from winkler.numerics.pixels.layered import SurfaceBelow
 from winkler.numerics.row_blocks import RowBlocks
 from winkler.numerics.threads import cores
@@ -41,14 +42,6 @@ SINGLE = np.dtype(np.float32)
 def bytes_needed(shape: tuple[int, int], periodic: bool) -> int:
     """Return the memory [byte] that a contact on a grid of this shape takes at most while it is solved."""
     return 8 * shape[0] * shape[1] * (PERIODIC_COPIES if periodic else FREE_COPIES)
-
-
-def _rectangle(shape: tuple[int, int], pixel: tuple[float, float]) -> Array:
-    """Return the displacements by Love at (i dx, j dy) under unit pressure on the pixel around (0, 0), times pi."""
-    x = ((np.arange(shape[0] + 1) - 0.5) * pixel[0])[:, None]
-    y = ((np.arange(shape[1] + 1) - 0.5) * pixel[1])[None, :]
-    corner = x * np.arcsinh(y / np.abs(x)) + y * np.arcsinh(x / np.abs(y))
-    return np.asarray(corner[1:, 1:] - corner[:-1, 1:] - corner[1:, :-1] + corner[:-1, :-1])
 
 
 class SurfaceGrid(NamedTuple):
@@ -199,13 +192,9 @@ def _made(
         padded = shape
     else:
         padded = scipy.fft.next_fast_len(2 * nx - 1, True), scipy.fft.next_fast_len(2 * ny - 1, True)
-        quarter = _rectangle(shape, pixel) / np.pi
+        quarter = from_corners(love, shape, pixel) / np.pi
         quarter = quarter + layers.pixels(shape, pixel) if layers else quarter
-        kernel = np.zeros(padded)
-        kernel[:nx, :ny] = quarter
-        kernel[padded[0] - nx + 1 :, :ny] = quarter[:0:-1]
-        kernel[:, padded[1] - ny + 1 :] = kernel[:, ny - 1 : 0 : -1]
-        response = np.ascontiguousarray(scipy.fft.rfft2(kernel, workers=workers).real)
+        response = transformed(quarter, padded, workers=workers)
     pressing = 0.5 * wave / np.where(whole > 1.0, whole**STIFF_FILM_POWER, whole)
     return SurfaceGrid(shape, pixel, padded, response.astype(digits), pressing.astype(digits), workers)
 

@@ -25,6 +25,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.numerics.pixels.integrals import from_corners, transformed
 from winkler.numerics.pixels.layered_shear import LayeredShear
 from winkler.numerics.pixels.power_law import PowerLawSurface, straightened
 from winkler.numerics.surfaces.surface_grid import LARGEST_CACHED_PIXELS, MEAN_WAVE_RATIO, SINGLE, SurfaceGrid
@@ -173,65 +174,25 @@ def _made(shape: tuple[int, int], pixel: tuple[float, float], compliance: Compli
         along[:, 0, 0] = layers.mean * np.array([1.0, 0.0, 1.0]) if layers else 0.0
         across = -2.0 * beta * odd * np.stack((qx + 0.0 * q, qy + 0.0 * q)) / q**2
     else:
-        padded = grid.padded
-        first = _kernel(lambda x, y: straightened(x, y, k), shape, pixel, padded, (1, 1)) * (strength / (1.0 - k))
-        second = _kernel(lambda x, y: straightened(y, x, k), shape, pixel, padded, (1, 1)) * (strength / (1.0 - k))
-        crossed = _kernel(lambda x, y: -(np.hypot(x, y) ** (1.0 - k)), shape, pixel, padded, (-1, -1))
+
+        def kernel(corner: Callable[[Array, Array], Array], *parity: int) -> Array:
+            return transformed(from_corners(corner, shape, pixel), grid.padded, (parity[0], parity[1]))
+
+        first = kernel(lambda x, y: straightened(x, y, k), 1, 1) * (strength / (1.0 - k))
+        second = kernel(lambda x, y: straightened(y, x, k), 1, 1) * (strength / (1.0 - k))
+        crossed = kernel(lambda x, y: -(np.hypot(x, y) ** (1.0 - k)), -1, -1)
         crossed *= strength / (1.0 - k) ** 2
         both = a * (first + second)
         along = np.stack((both + b * second, b * crossed, both + b * first))
         if layers:
             beyond = zip(layers.pixels(shape, pixel), ((1, 1), (-1, -1), (1, 1)), strict=True)
-            along = along + np.stack([_transformed(quarter, padded, parity) for quarter, parity in beyond])
+            along = along + np.stack([transformed(quarter, grid.padded, parity) for quarter, parity in beyond])
         parts = (
-            _kernel(lambda x, y: y * np.log(np.hypot(x, y)) + x * np.arctan(y / x), shape, pixel, padded, (-1, 1)),
-            _kernel(lambda x, y: x * np.log(np.hypot(x, y)) + y * np.arctan(x / y), shape, pixel, padded, (1, -1)),
+            kernel(lambda x, y: y * np.log(np.hypot(x, y)) + x * np.arctan(y / x), -1, 1),
+            kernel(lambda x, y: x * np.log(np.hypot(x, y)) + y * np.arctan(x / y), 1, -1),
         )
         across = beta / np.pi * np.stack(parts)
     return TractionGrid(grid, compliance, along, across if beta else np.empty(0), inverse)
 
 
 _cached_grid = functools.lru_cache(maxsize=12)(_made)
-
-
-def _kernel(
-    corner: Callable[[Array, Array], Array],
-    shape: tuple[int, int],
-    pixel: tuple[float, float],
-    padded: tuple[int, int],
-    parity: tuple[int, int],
-) -> Array:
-    """Return the transform of an integral over a pixel, over i if it is odd in one direction.
-
-    Parameters
-    ----------
-    corner
-        The integral from the origin on, as a function of the corner opposite.
-    shape, pixel, padded
-        Of the grid.
-    parity
-        Whether it is even (1) or odd (-1) in either direction.
-    """
-    nx, ny = shape
-    x = ((np.arange(nx + 1) - 0.5) * pixel[0])[:, None]
-    y = ((np.arange(ny + 1) - 0.5) * pixel[1])[None, :]
-    corners = corner(x, y)
-    quarter = corners[1:, 1:] - corners[:-1, 1:] - corners[1:, :-1] + corners[:-1, :-1]
-    return _transformed(quarter, padded, parity)
-
-
-def _transformed(quarter: Array, padded: tuple[int, int], parity: tuple[int, int]) -> Array:
-    """Return the transform of a kernel that is known at positive places; over i if it is odd in one direction."""
-    import scipy.fft
-
-    (nx, ny), (mx, my) = quarter.shape, padded
-    if parity[0] < 0:
-        quarter[0] = 0.0
-    if parity[1] < 0:
-        quarter[:, 0] = 0.0
-    whole = np.zeros(padded)
-    whole[:nx, :ny] = quarter
-    whole[mx - nx + 1 :, :ny] = parity[0] * quarter[:0:-1]
-    whole[:, my - ny + 1 :] = parity[1] * whole[:, ny - 1 : 0 : -1]
-    transform = scipy.fft.rfft2(whole)
-    return np.ascontiguousarray(transform.real if parity[0] == parity[1] else transform.imag)

@@ -26,7 +26,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from winkler.numerics.integrals.adaptive_quadrature import settled
-from winkler.numerics.transforms.abel_intervals import Kinks, clear_of_underflow, noise, pieces, root_difference
+from winkler.numerics.panels.abel_intervals import Kinks, clear_of_underflow, noise, pieces, root_difference
 from winkler.numerics.types import Array, Curve
 
 

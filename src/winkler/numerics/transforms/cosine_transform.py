@@ -15,7 +15,7 @@ from typing import Protocol, cast
 import numpy as np
 
 from winkler.numerics.caching import cached_by_value
-from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.integrals.quadrature import growing, panel_nodes
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values.errors import NotConverged
@@ -51,26 +51,21 @@ class WaveResponse(Protocol):
     @property
     def length(self) -> float:
         """M decays like exp(-2 xi length) [m]."""
-        ...
 
     @property
     def smooth(self) -> float:
         """C is smooth on this length [m], but for a logarithm rounded off over `length`; `length` if it has none."""
-        ...
 
     @property
     def span(self) -> float:
         """M is a power series in xi below the inverse of this length [m]."""
-        ...
 
     @property
     def precision(self) -> float:
         """Error of M, relative to its largest value or to 0.03: it is smooth down to that."""
-        ...
 
     def excess(self, xi: ComplexArray) -> ComplexArray:
         """M(xi) [-], analytic near the positive axis, ``(m,)``."""
-        ...
 
 
 class SurfaceResponse(WaveResponse, Protocol):
@@ -79,7 +74,6 @@ class SurfaceResponse(WaveResponse, Protocol):
     @property
     def modulus(self) -> float:
         """E*, G*, m_L or m_T [Pa] of the surface and the other body: C = 2 (1 + M) / (modulus xi)."""
-        ...
 
 
 @value
@@ -147,9 +141,7 @@ def wave_numbers(lowest: float, widest: float, end: float) -> tuple[Array, Array
     if edges[-1] < end:
         count = math.ceil((end - edges[-1]) / widest)
         edges += [edges[-1] + (end - edges[-1]) * part / count for part in range(1, count + 1)]
-    nodes, weights = gauss_legendre(NODES)
-    low, width = np.array(edges[:-1])[:, None], np.diff(edges)[:, None]
-    return (low + width * nodes).ravel(), (width * weights).ravel()
+    return panel_nodes(np.array(edges), NODES)
 
 
 def faded(response: WaveResponse, distance: float) -> float:
@@ -163,9 +155,7 @@ def faded(response: WaveResponse, distance: float) -> float:
     spent = min(SPENT / away, longest)
     near, shares = wave_numbers(FIRST_WAVE_NUMBER / max(own.span, away), LARGEST_PHASE / away, spent)
     edges = np.minimum(spent * 2.0 ** np.arange(math.ceil(math.log2(longest / spent)) + 1.0), longest)
-    nodes, weights = gauss_legendre(NODES)
-    s = np.append(near, edges[:-1, None] + np.diff(edges)[:, None] * nodes)
-    weight = np.append(shares, np.diff(edges)[:, None] * weights)
+    s, weight = (np.append(*parts) for parts in zip((near, shares), panel_nodes(edges, NODES), strict=True))
     parts = own.excess(s * turn) * -np.expm1(1j * s * turn * away) / s
     return float(np.real(parts @ weight))
 
@@ -228,15 +218,13 @@ def _ray(response: WaveResponse, angle: float) -> Panels:
     """Return M along a ray from the origin: the recursion through many layers runs once, not once for every octave."""
     turn = complex(math.cos(angle), math.sin(angle)) if angle > 0.0 else 1.0
     end = DECAY_SPAN / (response.length * math.cos(angle))
-    edges = [0.0, min(FIRST_WAVE_NUMBER / response.span, end)]
-    while edges[-1] < end:
-        edges.append(min(2.0 * edges[-1], end))
-    size = float(np.max(np.abs(response.excess(np.array(edges) * turn))))
+    edges = np.array([0.0, *growing(FIRST_WAVE_NUMBER / response.span, end, 2.0), end])
+    size = float(np.max(np.abs(response.excess(edges * turn))))
 
     def along(s: Array) -> ComplexArray:
         return response.excess((s * turn).ravel()).reshape(s.shape)
 
-    return fit_panels(along, np.array(edges), response.precision * (size + LEAST_RESPONSE))
+    return fit_panels(along, edges, response.precision * (size + LEAST_RESPONSE))
 
 
 def has_tail(response: WaveResponse) -> bool:

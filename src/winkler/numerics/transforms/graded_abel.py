@@ -26,7 +26,7 @@ import numpy as np
 
 from winkler.numerics.integrals.adaptive_quadrature import settled
 from winkler.numerics.integrals.jacobi_quadrature import settled_power
-from winkler.numerics.transforms.abel_intervals import noise, pieces, root_difference
+from winkler.numerics.panels.abel_intervals import noise, pieces, root_difference
 from winkler.numerics.types import Array, Curve
 
 Kinks = Sequence[tuple[float, float]]
@@ -41,6 +41,11 @@ def share(function: np.ufunc, w: Array) -> Array:
 def first_above(low: float) -> float:
     """Return the place just above a kink: rounding must not carry a node across it."""
     return math.nextafter(low, math.inf) if low > 0.0 else 0.0
+
+
+def right_cosine(k: float) -> float:
+    """Return cos(k pi/2), exact to the last digit near k = 1."""
+    return math.sin(0.5 * math.pi * (1.0 - abs(k)))
 
 
 def half_beta(k: float) -> float:

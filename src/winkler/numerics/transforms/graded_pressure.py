@@ -17,7 +17,7 @@ import numpy as np
 
 from winkler.numerics.integrals.adaptive_quadrature import settled
 from winkler.numerics.integrals.jacobi_quadrature import settled_power
-from winkler.numerics.transforms.abel_intervals import pieces, root_difference
+from winkler.numerics.panels.abel_intervals import pieces, root_difference
 from winkler.numerics.transforms.graded_abel import first_above, kink_slope, share
 from winkler.numerics.types import Array, Curve
 

@@ -18,7 +18,7 @@ from collections.abc import Callable
 import numpy as np
 
 from winkler.numerics.caching import cached_by_value
-from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.integrals.quadrature import gauss_legendre, panel_nodes
 from winkler.numerics.transforms.cosine_transform import WaveResponse, transform
 from winkler.numerics.types import Array, Curve
 
@@ -46,13 +46,6 @@ def legendre_to_chebyshev(count: int) -> Array:
 def halving_panels(halvings: int) -> Array:
     """Return panels of [0, 1] that halve towards 1."""
     return np.array([1.0 - 0.5**k for k in range(halvings + 1)] + [1.0])
-
-
-def panel_nodes(edges: Array, count: int) -> tuple[Array, Array]:
-    """Return Gauss-Legendre nodes and weights of all panels, one after the other."""
-    nodes, weights = gauss_legendre(count)
-    width = np.diff(edges)[:, None]
-    return (edges[:-1, None] + width * nodes).ravel(), (width * weights).ravel()
 
 
 def kernel_matrix(response: WaveResponse, a: float, halvings: int, count: int, sign: float = 1.0) -> Array:

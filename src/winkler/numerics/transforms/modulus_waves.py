@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.numerics.integrals.quadrature import growing
 from winkler.numerics.panels.chebyshev import fit_nodes, panels_from
 from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.transforms.cosine_transform import DECAY_SPAN, FIRST_WAVE_NUMBER
@@ -85,10 +86,8 @@ def fit_modulus_waves(
     scale = np.append(unit, poles[1:])
     samples = SAMPLES_PER_POLE * (finite.size if not alone else 2)
     grid = np.geomspace(moduli[0] / SAMPLED_BEYOND, SAMPLED_BEYOND * moduli[1], 2 * samples + 1)
-    edges = [0.0, FIRST_WAVE_NUMBER / span]
-    while edges[-1] < DECAY_SPAN / length:
-        edges.append(2.0 * edges[-1])
-    nodes = fit_nodes(np.array(edges))
+    edges = np.array([0.0, *growing(FIRST_WAVE_NUMBER / span, 2.0 * DECAY_SPAN / length, 2.0)])
+    nodes = fit_nodes(edges)
     xi = np.append(nodes.ravel(), np.inf)
 
     def terms(modulus: ComplexArray) -> ComplexArray:
@@ -110,9 +109,9 @@ def fit_modulus_waves(
         )
     found[1:] *= scale[:, None]
     varying = (found[:, :-1] - found[:, -1:]).reshape(-1, *nodes.shape)
-    series = np.stack([panels_from(np.array(edges), each).coefficients for each in varying])
+    series = np.stack([panels_from(edges, each).coefficients for each in varying])
     coefficients = np.ascontiguousarray(series.transpose(2, 1, 0))
-    return ModulusWaves(poles, WaveCreep(poles, found[:, -1], np.array(edges), coefficients, error), error)
+    return ModulusWaves(poles, WaveCreep(poles, found[:, -1], edges, coefficients, error), error)
 
 
 def creep_of_poles(series: RelaxationSeries, poles: Array) -> tuple[Array, Array, Array]:

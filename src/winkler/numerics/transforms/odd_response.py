@@ -15,54 +15,29 @@ with :math:`\sigma` made of :math:`\theta/x` as that of a punch is made of :math
 
 from __future__ import annotations
 
-from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths
-from winkler.numerics.types import ComplexArray
+from winkler.numerics.transforms.cosine_transform import ScaledResponse, WaveResponse, in_own_lengths
 from winkler.values.value import value
 
 
 @value
-class OddResponse:
+class OddResponse(ScaledResponse):
     """A response whose tables are those of odd functions.
 
     Parameters
     ----------
-    even : WaveResponse
-        The response itself.
+    response : WaveResponse
+        The response itself, whose unit of length is this one's.
     """
 
-    even: WaveResponse
+    unit: float = 1.0
 
     @property
     def own(self) -> tuple[OddResponse, float]:
         """The same in its own unit of length, and the unit [m]."""
-        own, unit = in_own_lengths(self.even)
+        own, unit = in_own_lengths(self.response)
         return OddResponse(own), unit
-
-    @property
-    def length(self) -> float:
-        """M decays like exp(-2 xi length) [m]."""
-        return self.even.length
-
-    @property
-    def smooth(self) -> float:
-        """C is smooth on this length [m]."""
-        return self.even.smooth
-
-    @property
-    def span(self) -> float:
-        """M is a power series in xi below the inverse of this length [m]."""
-        return self.even.span
-
-    @property
-    def precision(self) -> float:
-        """Error of M."""
-        return self.even.precision
-
-    def excess(self, xi: ComplexArray) -> ComplexArray:
-        """M(xi) [-]."""
-        return self.even.excess(xi)
 
 
 def parity(response: WaveResponse) -> tuple[WaveResponse, float]:
     """Return the response of the kernel, and the sign of the sum in it: 1 for even functions, -1 for odd ones."""
-    return (response.even, -1.0) if isinstance(response, OddResponse) else (response, 1.0)
+    return (response.response, -1.0) if isinstance(response, OddResponse) else (response, 1.0)

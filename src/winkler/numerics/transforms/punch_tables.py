@@ -16,9 +16,9 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.numerics.caching import cached_by_value
-from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.integrals.quadrature import gauss_legendre, panel_nodes
 from winkler.numerics.transforms.cosine_transform import WaveResponse, in_own_lengths, transform
-from winkler.numerics.transforms.kernel_matrix import halving_panels, kernel_matrix, legendre_to_chebyshev, panel_nodes
+from winkler.numerics.transforms.kernel_matrix import halving_panels, kernel_matrix, legendre_to_chebyshev
 from winkler.numerics.transforms.odd_response import parity
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged

@@ -19,7 +19,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.numerics.caching import cached_by_value
-from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.integrals.quadrature import gauss_legendre, panel_nodes
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
 from winkler.numerics.transforms.cosine_transform import LEAST_RESPONSE, WaveResponse, transform
 from winkler.numerics.types import Array
@@ -103,10 +103,9 @@ def _angles(octave: int) -> tuple[Array, Array]:
     """Return sines of theta and weights over pi: octaves of the sine below 1/2 by Gauss' rule, the rest in theta."""
     node, weight = gauss_legendre(NODES)
     starts = np.concatenate(([0.0], 0.5 ** np.arange(octave + 1, 0, -1)))
-    sines = (starts[:-1, None] + np.diff(starts)[:, None] * node).ravel()
-    shares = (np.diff(starts)[:, None] * weight).ravel() / np.sqrt(1.0 - sines**2)
-    angle = math.pi / 6.0 + math.pi / 3.0 * node
-    return np.concatenate((sines, np.sin(angle))), np.concatenate((shares, math.pi / 3.0 * weight)) / math.pi
+    sines, shares = panel_nodes(starts, NODES)
+    angle, rest = math.pi / 6.0 + math.pi / 3.0 * node, math.pi / 3.0 * weight
+    return np.append(sines, np.sin(angle)), np.append(shares / np.sqrt(1.0 - sines**2), rest) / math.pi
 
 
 def _summed(response: WaveResponse, octave: int, sines: Array, weights: tuple[Array, ...]) -> list[Panels]:

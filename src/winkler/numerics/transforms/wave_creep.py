@@ -21,7 +21,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.polynomial.chebyshev import chebvander
 
-from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.integrals.quadrature import gauss_legendre, growing, panel_nodes
 from winkler.numerics.panels.chebyshev import fit_nodes, panels_from
 from winkler.numerics.springs.exponential_sums import CreepSeries
 from winkler.numerics.transforms.cosine_transform import wave_numbers
@@ -148,10 +148,8 @@ class WaveCreep(NamedTuple):
         def envelope(xi: Array) -> Array:
             return varying(xi) * (width**2 / math.pi * (2.0 / (xi * width)) ** 4)
 
-        edges = np.append(end, self.edges[self.edges > end])
-        nodes, weights = gauss_legendre(NODES)
-        xi = edges[:-1, None] + np.diff(edges)[:, None] * nodes
-        mean = envelope(xi.ravel()) @ (np.diff(edges)[:, None] * weights).ravel()
+        xi, weights = panel_nodes(np.append(end, self.edges[self.edges > end]), NODES)
+        mean = envelope(xi) @ weights
         near = end * np.array([1.0 - SLOPE_STEP, 1.0, 1.0 + SLOPE_STEP])
         below, at, above = envelope(near).T
         turns = np.abs(along[:, None] + np.arange(-2, 3))
@@ -229,10 +227,8 @@ def fit_wave_creep(
     ends = 1.0 / (REACH_OF_FREQUENCIES * kept[-1]), REACH_OF_FREQUENCIES / kept[0]
     grid = np.geomspace(*ends, 2 * FREQUENCIES_PER_TIME * kept.size + 1)
     fitted, checked = np.append(0.0, grid[::2]), grid[1::2]
-    edges = [0.0, waves[0]]
-    while edges[-1] < waves[1]:
-        edges.append(2.0 * edges[-1])
-    nodes = fit_nodes(np.array(edges))
+    edges = np.array([0.0, *growing(waves[0], 2.0 * waves[1], 2.0)])
+    nodes = fit_nodes(edges)
     xi = np.append(nodes.ravel(), np.inf)
 
     at_once = np.real(compliance(np.array([1j * np.inf]), xi)[0])
@@ -257,8 +253,8 @@ def fit_wave_creep(
         )
     every = np.concatenate([at_once[None], found])
     varying = (every[:, :-1] - every[:, -1:]).reshape(-1, *nodes.shape)
-    series = np.stack([panels_from(np.array(edges), part).coefficients for part in varying])
-    return WaveCreep(kept, every[:, -1], np.array(edges), np.ascontiguousarray(series.transpose(2, 1, 0)), error)
+    series = np.stack([panels_from(edges, part).coefficients for part in varying])
+    return WaveCreep(kept, every[:, -1], edges, np.ascontiguousarray(series.transpose(2, 1, 0)), error)
 
 
 def _terms(frequency: Array, times: Array) -> ComplexArray:

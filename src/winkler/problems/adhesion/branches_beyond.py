@@ -81,7 +81,6 @@ class Outlined(Protocol):
 
     def outline(self) -> Bed:
         """Return the springs on that medium."""
-        ...
 
 
 def _quiet(states: EdgeStates, low: float) -> float:

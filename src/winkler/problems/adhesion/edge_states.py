@@ -41,40 +41,31 @@ class EdgeStates(Protocol):
 
     def __hash__(self) -> int:
         """States are values."""
-        ...
 
     @property
     def bed(self) -> Bed:
         """The springs."""
-        ...
 
     def end(self) -> float:
         """The greatest contact radius of which something is known [m]."""
-        ...
 
     def from_nothing(self) -> bool:
         """Whether contacts of vanishing radius are states like others; if not, they are known to be unstable."""
-        ...
 
     def depth(self, radius: Array) -> Array:
         """d(a) [m]."""
-        ...
 
     def load(self, radius: Array) -> Array:
         """What is taken from k(a) d to give the force, F = k d - load [N], also of an edge that is held."""
-        ...
 
     def slopes(self, radius: Array) -> tuple[Array, Array]:
         """d'(a) [-] and F'(a) [N/m]; at a kink, the values just below it."""
-        ...
 
     def scale(self, radius: Array) -> Array:
         """What d'(a) is measured against [-], positive: the stretch of the edge over the radius."""
-        ...
 
     def pressed(self, depth: float, radius: float) -> PressedSprings:
         """The displacement of the springs, from which fields are restored."""
-        ...
 
 
 @value

@@ -31,8 +31,9 @@ from winkler.media.offers import PressedWaves, offers
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.equations.roots import rough_root
+from winkler.numerics.panels.abel_intervals import root_difference
 from winkler.numerics.panels.chebyshev import Panels, fit_panels
-from winkler.numerics.panels.sqrt_panels import RootPanels, fit, root
+from winkler.numerics.panels.sqrt_panels import RootPanels, fit
 from winkler.numerics.transforms import abel
 from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.types import Array
@@ -427,7 +428,7 @@ def _span(
 
     The secant method in logarithms, inside a bracket that only shrinks.
     """
-    farthest = root(np.full(radius.shape, min(zones.springs.end, 1e150)), radius)
+    farthest = root_difference(np.full(radius.shape, min(zones.springs.end, 1e150)), radius)
     span = np.minimum(guess, farthest)
     low, high = np.zeros(radius.shape), np.full(radius.shape, math.inf)
     last, last_level = np.full(radius.shape, math.nan), np.full(radius.shape, math.nan)
@@ -469,7 +470,7 @@ def widest_on_layers(zones: RingOnLayers) -> float:
     end = (1.0 - 1e-12) * zones.springs.end
 
     def excess(radius: Array, _: Array) -> Array:
-        return zones.apart(radius, root(np.full(radius.shape, end), radius), 3)[0]
+        return zones.apart(radius, root_difference(np.full(radius.shape, end), radius), 3)[0]
 
     low, high = np.full(1, 1e-9 * end), np.array([end * (1.0 - 1e-9)])
     if excess(low, low)[0] <= 0.0:

@@ -41,7 +41,7 @@ from winkler.media.body_of import exponent_of
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.media.offers import PowerOfDepth, offers
 from winkler.numerics.equations.bracketing import between
-from winkler.numerics.panels.sqrt_panels import root
+from winkler.numerics.panels.abel_intervals import root_difference
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.edge_states import stored_energy
 from winkler.problems.adhesion.maugis_integrals import (
@@ -441,7 +441,7 @@ def _guess(ring: _CohesiveRing, radius: Array, refuse: Callable[[Array], None]) 
 def _span(ring: _CohesiveRing, radius: Array, guess: Array, rule: Rule, refuse: Callable[[Array], None]) -> Array:
     """Return s = sqrt(c^2 - a^2), by Newton's method in logarithms inside a bracket that only shrinks."""
     springs = ring.springs
-    farthest = root(np.full(radius.shape, min(springs.end, 1e150)), radius)
+    farthest = root_difference(np.full(radius.shape, min(springs.end, 1e150)), radius)
     span = np.minimum(guess, farthest)
     low, high = np.zeros(radius.shape), np.full(radius.shape, math.inf)
     left = np.arange(radius.size)
@@ -478,7 +478,7 @@ def widest_within(springs: RingSprings, strength: float, distance: float) -> flo
     ring, end = _ring(springs, strength, distance), (1.0 - 1e-12) * springs.end
 
     def excess(radius: Array, _: Array) -> Array:
-        return ring.apart(radius, root(np.full(radius.shape, end), radius), ROUGH_RULES[-2])[0]
+        return ring.apart(radius, root_difference(np.full(radius.shape, end), radius), ROUGH_RULES[-2])[0]
 
     low, high = np.zeros(1), np.array([end * (1.0 - 1e-12)])
     if excess(low, low)[0] <= 0.0:

@@ -19,7 +19,8 @@ import numpy as np
 
 from winkler.numerics.chunks import chunks
 from winkler.numerics.integrals.quadrature import gauss_legendre, tanh_sinh
-from winkler.numerics.panels.sqrt_panels import root
+from winkler.numerics.panels.abel_intervals import root_difference
+from winkler.numerics.transforms.graded_abel import right_cosine
 from winkler.numerics.types import Array, Curve
 
 __all__ = [
@@ -66,7 +67,7 @@ class RingSprings(NamedTuple):
 
     def cosine(self) -> float:
         """cos(k pi / 2)."""
-        return math.sin(0.5 * math.pi * (1.0 - abs(self.exponent)))
+        return right_cosine(self.exponent)
 
     def amplitude(self, strength: float) -> float:
         """Return A."""
@@ -158,7 +159,7 @@ def _pieces(edges: Edges, radius: Array, span: Array, k: float) -> _IntegralPiec
     ends, limit = np.isinf(high), high
     high = np.where(ends, low, high)
     left = np.where(ends, 0.0, _rest(a, s, high))
-    risen, rises = root(low, base), root(high, base)
+    risen, rises = root_difference(low, base), root_difference(high, base)
     start, stop = np.arctan2(risen, rest), np.where(ends, 0.0, np.arctan2(left, rises))
     back = np.arctan2(rest, risen)
     # of two differences of the same angle, the one that cancels less
@@ -251,7 +252,7 @@ def _on(
     measure = springs.gap_slope(x) * (own.sign[:, None] * whole * weights)
     steep = own.steep
     if steep.any():
-        distance = root(x[steep], np.broadcast_to(base[steep], x[steep].shape))
+        distance = root_difference(x[steep], np.broadcast_to(base[steep], x[steep].shape))
         # g' holds distance^(k-1): what is finite is made of the same rounded place
         measure[steep] *= distance ** (1.0 - k) * risen[steep] ** k
         measure[~steep] *= risen[~steep]

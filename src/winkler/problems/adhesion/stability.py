@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from winkler.numerics.equations.bracketing import between
-from winkler.numerics.panels.sqrt_panels import root
+from winkler.numerics.panels.abel_intervals import root_difference
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.edge_states import EdgeStates, force_of, margin
 from winkler.problems.adhesion.expected_radius import expected_radius
@@ -167,7 +167,7 @@ def _first_pieces(low: float, high: float, kinks: Array, typical: float) -> _Mar
     bases, starts, stops = [], [], []
     ends = [*kinks.tolist(), high]
     for base, end in zip([0.0, *kinks.tolist()], ends, strict=True):
-        stop = float(root(np.array(end), np.array(base)))
+        stop = float(root_difference(np.array(end), np.array(base)))
         first = (low if low > 0.0 else min(end, typical) * 2.0**-20) if base == 0.0 else 0.25 * base
         edges = first * 2.0 ** np.arange(max(0, math.ceil(math.log2(stop / first)))) if stop > first else np.zeros(0)
         if base > 0.0:
@@ -201,7 +201,7 @@ def _signs(
         if sharp.any():
             # the root of the rounded radius takes the inverse root above the kink away exactly
             base = np.broadcast_to(waiting.base[sharp, None], (int(np.count_nonzero(sharp)), nodes.size))
-            values[sharp] *= root(radius[sharp], base) / radius[sharp]
+            values[sharp] *= root_difference(radius[sharp], base) / radius[sharp]
         series = np.einsum("pn,kn->pk", values, matrix)
         size, tail = np.max(np.abs(series), axis=1), np.sum(np.abs(series[:, -3:]), axis=1)
         one_sign = np.abs(series[:, 0]) > np.sum(np.abs(series[:, 1:]), axis=1) + 10.0 * tail

@@ -42,8 +42,6 @@ from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["LayeredLineAdhesionSolution", "LineAdhesion", "LineAdhesionSolution"]
-
 
 @value
 class LineAdhesion(PerLoad[Q]):

@@ -18,8 +18,6 @@ from winkler.problems.line.validity import line_notes
 from winkler.problems.line.yield_statement import line_yield_notes
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["adhesion_notes"]
-
 BESIDE = 4.0
 """How many half-widths from the middle overlap is sought."""
 SAMPLES = 512

@@ -28,8 +28,6 @@ from winkler.numerics.types import Array
 from winkler.problems.line.references import PlateBase, Reference, RollerCentre
 from winkler.values.errors import InvalidInput, OutsideValidity
 
-__all__ = ["Place", "approach", "depth_of", "nearing"]
-
 Place = float | Reference | None
 """A point on the axis: its depth [m], a finite body, or none in a rigid body."""
 WIDEST = 0.2

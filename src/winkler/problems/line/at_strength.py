@@ -22,8 +22,6 @@ from winkler.problems.line.stress import Strip
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.values.errors import InvalidInput, OutsideValidity
 
-__all__ = ["Share", "at_strength", "full_strength", "refuse_sharp", "refuse_without_strength"]
-
 MOST_STEPS = 60
 NEAREST_END = 1e-3
 """How near to the end of the profile the strength is sought, over its reach."""

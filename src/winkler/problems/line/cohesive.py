@@ -30,8 +30,6 @@ from winkler.problems.line.load_springs import LoadSprings
 from winkler.values.errors import NotConverged, OutsideValidity
 from winkler.values.value import value
 
-__all__ = ["CohesiveLineStates", "LineZone"]
-
 ITERATIONS = 60
 STEP_TOLERANCE, WORST_STEP = 1e-13, 1e-8
 """Last step over l that ends the iteration, and that close to a vertical wall, where w' is known to less."""

@@ -20,8 +20,6 @@ from winkler.problems.adhesion.edge_states import EdgeStates, ShortStates
 from winkler.problems.line.cohesive import CohesiveLineStates
 from winkler.problems.line.load_springs import LoadSprings
 
-__all__ = ["FIXED_GRIPS", "LineLaw", "line_states"]
-
 LineLaw = ShortRange | Dugdale
 """How the surfaces of a line contact may attract each other."""
 FIXED_GRIPS = float("inf")

@@ -19,8 +19,6 @@ from winkler.numerics.types import Array
 from winkler.problems.line.stress import LineContact, LineFields, stresses
 from winkler.profiles.power import Paraboloid
 
-__all__ = ["Measure", "Placed", "greatest", "in_strip", "sought", "von_mises"]
-
 Measure = Callable[[LineFields], Array]
 PLACES_BESIDE, DEPTHS = 10, 24
 CLOSEST = 1e-4

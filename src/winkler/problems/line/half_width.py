@@ -20,16 +20,6 @@ from winkler.profiles.profile import Profile, Sum
 from winkler.profiles.wavy import Wavy
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
-__all__ = [
-    "borne_at_most",
-    "grows",
-    "refuse_beyond",
-    "refuse_unless_strips",
-    "under_force",
-    "under_mean_pressure",
-    "widest_allowed",
-]
-
 SAMPLES, SAMPLES_ON_LAYERS = 513, 129
 PRESSURE_SAMPLES = 129
 WIDTHS_BESIDE = 8.0

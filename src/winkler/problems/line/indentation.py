@@ -35,8 +35,6 @@ from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["LayeredLineSolution", "LineIndentation", "LineSolution", "PowerLawLineSolution"]
-
 
 @value
 class LineIndentation(PerLoad[Q]):

@@ -38,8 +38,6 @@ from winkler.problems.line.approach import depth_of
 from winkler.problems.line.references import PlateBase, Reference, RollerCentre
 from winkler.values.errors import InvalidInput, OutsideValidity
 
-__all__ = ["has_depth", "layered_approach"]
-
 FIRST_WAVE_NUMBER, LARGEST_PHASE = 0.1, 12.0
 POINTS, POINTS_PER_RATIO = 64, 48
 

@@ -24,16 +24,6 @@ from winkler.problems.normal.strong_parts import StrongPart
 from winkler.values.errors import OutsideValidity
 from winkler.values.value import value, words
 
-__all__ = [
-    "LayerStress",
-    "fields_below",
-    "greatest_in_part",
-    "greatest_within",
-    "in_layers",
-    "layer_stresses",
-    "waves_for_search",
-]
-
 PLACES, DEPTHS = 25, 13
 """Places and depths of the first grid in each layer."""
 STARTS = 2

@@ -15,8 +15,6 @@ from winkler.problems.line.stress import one_coefficient
 from winkler.problems.line.strip import OfStrip
 from winkler.values.errors import InvalidInput, OutsideValidity
 
-__all__ = ["OnLayers"]
-
 
 class OnLayers(OfStrip, PerLoad[Q]):
     """The part of a solution that a layered body determines."""

@@ -16,8 +16,6 @@ from winkler.values.errors import NotConverged
 from winkler.values.validity import Note
 from winkler.values.value import value, words
 
-__all__ = ["LoadSprings"]
-
 WALL = 1e-2
 """Part of the reach that is left out before a vertical wall."""
 

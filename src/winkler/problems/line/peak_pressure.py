@@ -11,8 +11,6 @@ from winkler.numerics.equations.highest import highest_of_curve
 from winkler.numerics.types import Curve
 from winkler.problems.line.stress import Strip
 
-__all__ = ["is_sharp", "peak_pressure", "rim_load"]
-
 
 def rim_load(bed: LineBed, force: float, half_width: float) -> float:
     """Return the load per length over E* that a rim bears beyond w(a) [m].

@@ -8,8 +8,6 @@ from winkler.loading.loads import HalfWidth, LineForce, MeanPressure, NominalPre
 from winkler.numerics.types import Array, PerLoad, Q, Quantity, shaped
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["OfWidth", "PressingLoad", "given_by", "pressing"]
-
 PressingLoad = LineForce | HalfWidth | MeanPressure | NominalPressure
 
 

@@ -27,8 +27,6 @@ import math
 from winkler.values.checks.number_checks import Positive
 from winkler.values.value import value, words
 
-__all__ = ["PlateBase", "Reference", "RollerCentre"]
-
 LAST = 40.0
 """Where the kernel of a layer is one to rounding."""
 

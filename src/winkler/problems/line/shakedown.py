@@ -45,8 +45,6 @@ from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["LineShakedown", "LineShakedownSolution"]
-
 MELAN = "E. Melan, Ing.-Arch. 9 (1938) 116-126, doi:10.1007/BF02084409; K. L. Johnson (1985) sec. 9.2"
 BESIDE, AWAY, DEPTHS = 40, 20, 18
 """Places from the middle to the edge and beyond it, and depths, of the first grid."""

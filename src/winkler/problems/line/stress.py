@@ -25,17 +25,6 @@ from winkler.numerics.types import Array, ComplexArray
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.value import value
 
-__all__ = [
-    "LineContact",
-    "LineFields",
-    "Strip",
-    "fields_of",
-    "one_coefficient",
-    "poisson_of",
-    "potential_of",
-    "stresses",
-]
-
 
 @value
 class LineFields:

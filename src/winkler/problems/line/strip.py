@@ -21,8 +21,6 @@ from winkler.problems.which_body import in_first_body
 from winkler.values.checks.place_checks import common_places, finite_places
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["OfStrip", "Stressed"]
-
 
 class Stressed:
     """A solution whose pressures, and stresses below the surface, are known."""
@@ -99,12 +97,12 @@ class OfStrip(Stressed):
         Parameters
         ----------
         x : array_like
-            Places on the surface [m], on either side of the middle.
+            Places on the surface [m], as of `pressure`.
 
         Raises
         ------
         InvalidInput
-            If the solution has more than one load.
+            As of `pressure`.
         OutsideValidity
             If the contact is pinned at a rim, beyond which the body has no surface.
         """

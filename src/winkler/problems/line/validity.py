@@ -14,8 +14,6 @@ from winkler.problems.line.layered_approach import has_depth, layered_approach
 from winkler.problems.normal.validity import large_body_note, steepness_note
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["ENDS", "HALF_PLANES", "PALLOT", "POWER_LAW", "WAVES", "line_notes", "shape_notes"]
-
 JAEGER = "J. Jaeger, Arch. Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661"
 PALLOT = "A. E. Giannakopoulos, P. Pallot, J. Mech. Phys. Solids 48 (2000) 1597-1631"
 WAVES = "P. Meijers, Appl. Sci. Res. 18 (1968) 353-383, doi:10.1007/BF00382359; K. L. Johnson (1985) sec. 5.8"

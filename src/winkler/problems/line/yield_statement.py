@@ -23,8 +23,6 @@ from winkler.problems.normal.unknown_yield import MISES
 from winkler.problems.normal.yield_statement import elastic_note, share_of
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["line_contact_notes", "line_yield_notes", "nearest_to_strength"]
-
 WIDTH_SHARES = (0.25, 0.5, 0.75, 1.0)
 """Parts of the half-width that are examined where the profile may fall."""
 AWAY = 0.1

@@ -27,8 +27,6 @@ from winkler.values.errors import NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["FRICTIONLESS", "LinePartOnset", "LineYieldOnset", "LineYieldOnsetSolution"]
-
 FRICTIONLESS = Coulomb(0.0)
 
 

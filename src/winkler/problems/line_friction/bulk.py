@@ -24,8 +24,6 @@ from winkler.problems.line_friction.path import LinePath
 from winkler.values.errors import InvalidInput
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["bulk_note", "has_closed_form", "lean_of", "refuse_bulk"]
-
 NOWELL_HILLS = "D. Nowell, D. A. Hills, Int. J. Mech. Sci. 29 (1987) 355-365, doi:10.1016/0020-7403(87)90117-2"
 ROUNDING = 1e-12
 

@@ -36,8 +36,6 @@ from winkler.problems.line_friction.path import LinePath
 from winkler.problems.row import Reached, Row
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["ElementRow", "LineCells", "LineGoal", "Response", "TouchingElements", "refuse_sliding", "stuck_compliance"]
-
 STEPS, STEPS_BESIDE = 24, 72
 """Steps over a change of the shear force by what friction bears at most, and of the bulk stress in proportion; while
 the normal force changes the pressure on what slips does so, too, and steps are shorter."""

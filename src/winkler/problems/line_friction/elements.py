@@ -15,8 +15,6 @@ from winkler.foundation.line_bed import LineBed
 from winkler.numerics.types import Array
 from winkler.problems.line.peak_pressure import rim_load
 
-__all__ = ["LineElements", "elements_for", "pressed_elements", "pressures_of"]
-
 INNER = 200
 """Elements on half of the narrowest contact, narrow at its edge."""
 LEAST_OUTER, MOST_OUTER, OUTER_PER_WIDTH = 40, 120, 320.0

@@ -17,8 +17,6 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.problems.line_friction.elements import LineElements
 
-__all__ = ["FirstSlip", "first_slip"]
-
 ROUNDING = 1e-12
 
 

@@ -19,8 +19,6 @@ from winkler.values.checks.place_checks import finite_places
 from winkler.values.errors import OutsideValidity
 from winkler.values.value import value, words
 
-__all__ = ["LineDraggedState", "LineMarchedState", "marched_state", "stuck_strip"]
-
 PLACES = 400
 """Places between the edges at which the traction below which stresses are computed is sampled, besides the elements."""
 

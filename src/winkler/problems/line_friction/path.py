@@ -19,8 +19,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.limits import PATH_POINTS
 from winkler.values.value import value, words
 
-__all__ = ["LinePath"]
-
 ROUNDING = 1e-12
 """Part of the greatest bulk stress by which one in phase may differ."""
 

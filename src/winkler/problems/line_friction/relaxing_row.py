@@ -55,8 +55,6 @@ from winkler.problems.method import Method
 from winkler.problems.row import Reached, follow
 from winkler.values.errors import InvalidInput, OutsideValidity
 
-__all__ = ["RelaxingElementRow", "refuse_timeless"]
-
 FIRST_SPAN, LEAST_STEPS = 0.1, 8
 """The first step after a point of the path, over the shortest time of the creep; and steps between two points."""
 SPRINGS = 250

@@ -15,8 +15,6 @@ from winkler.values.checks.place_checks import common_places, finite_places
 from winkler.values.errors import OutsideValidity
 from winkler.values.value import value
 
-__all__ = ["LineSlip", "ShearedStrip"]
-
 
 @value
 class LineSlip(PerLoad[Q]):

@@ -30,8 +30,6 @@ from winkler.numerics.types import Array, Curve
 from winkler.problems.line.half_width import under_force
 from winkler.values.errors import NotConverged
 
-__all__ = ["SlipCurve", "slip_curve"]
-
 FOLDS = 24
 """Loads are resolved down to exp(-FOLDS) of the greatest; below that the half-width follows a power."""
 TOLERANCES = (1e-14, 1e-12, 1e-10)

@@ -26,8 +26,6 @@ from winkler.problems.line_friction.slip_curve import slip_curve
 from winkler.problems.line_friction.strips import EarlierStrip, slipped, strips_of, traction
 from winkler.problems.row import Reached, Row
 
-__all__ = ["SummedRow", "work_and_shift"]
-
 ANGLES, STEPS = np.polynomial.legendre.leggauss(20)
 PLACES, WEIGHTS = np.sin(0.5 * np.pi * ANGLES), 0.5 * np.pi * STEPS * np.cos(0.5 * np.pi * ANGLES)
 """Between the edges of two strips, from -1 to 1: roots at both ends are mapped away."""

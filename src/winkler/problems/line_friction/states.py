@@ -17,8 +17,6 @@ from winkler.problems.line_friction.strips import EarlierStrip, slipped, strips_
 from winkler.values.checks.place_checks import finite_places
 from winkler.values.value import value, words
 
-__all__ = ["LineTangentialState"]
-
 
 @value
 class LineTangentialState(ShearedStrip):

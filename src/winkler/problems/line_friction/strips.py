@@ -21,9 +21,6 @@ from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.line.half_width import under_force
 from winkler.problems.line.peak_pressure import rim_load
 
-__all__ = ["EarlierStrip", "opened", "slipped", "strips_of", "traction"]
-
-
 ROUNDING = 1e-13
 """Part of the factors that their sum may miss zero by."""
 

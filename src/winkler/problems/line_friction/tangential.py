@@ -47,8 +47,6 @@ from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["LineTangential", "LineTangentialSolution"]
-
 METHODS = Method.AUTO, Method.EXACT, Method.ELEMENTS
 
 

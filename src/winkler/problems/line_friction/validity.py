@@ -21,8 +21,6 @@ from winkler.problems.line_viscoelastic.validity import relaxing_line_notes
 from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["SLIP_SUMS", "dragged_line_notes", "sheared_line_notes", "slid_yield_notes"]
-
 CIAVARELLA = (
     "M. Ciavarella, Int. J. Solids Struct. 35 (1998) 2349-2362, doi:10.1016/S0020-7683(97)00154-6; J. Jaeger, Arch. "
     "Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661"

@@ -17,8 +17,6 @@ from winkler.problems.which_body import in_first_body
 from winkler.values.checks.place_checks import common_places, finite_places
 from winkler.values.errors import InvalidInput, OutsideValidity
 
-__all__ = ["UnderOneDrive"]
-
 
 class UnderOneDrive(PerLoad[Q]):
     """The part of the solution of a `LineRolling` that belongs to one force or creepage: fields by place."""

@@ -19,8 +19,6 @@ from winkler.numerics.types import Array, ComplexArray
 from winkler.problems.line_viscoelastic.layered_strips import RelaxingBed
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["Passage", "passage"]
-
 IMMEDIATE = 1e-8
 """Retardation time over the time of passing half of the strip, below which a body creeps at once."""
 FASTEST = 1e-9

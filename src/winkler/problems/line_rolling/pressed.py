@@ -26,15 +26,6 @@ from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Note, Standing
 from winkler.values.value import value
 
-__all__ = [
-    "OneLineLoad",
-    "refuse_unless_along",
-    "refuse_unless_round",
-    "rolling_stresses",
-    "rolling_yield_notes",
-    "touching_strip",
-]
-
 
 def _one(load: object) -> bool:
     return all(np.ndim(getattr(load, name)) == 0 for name in getattr(load, "__dataclass_fields__", ()))

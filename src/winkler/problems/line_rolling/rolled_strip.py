@@ -39,8 +39,6 @@ from winkler.numerics.surfaces.strip_grid import first_to_stick
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["RolledStrip", "creepage_error", "load_growth", "loss_error", "rolled_strip", "sliding_creepage"]
-
 COUNT = 400
 """Elements of the strip."""
 ALL_AT_ONCE, MOST_ROUNDS, MOST_WIDTHS = 30, 60, 60
@@ -273,7 +271,7 @@ def load_growth(bed: LineBed, half_width: float) -> float:
     return float((half_width * bed.load_profile_slope(one) / bed.load_profile(one))[0])
 
 
-def sliding_creepage(bed: LineBed, half_width: float, friction: float, count: int = COUNT) -> float:
+def sliding_creepage(bed: LineBed, half_width: float, friction: float) -> float:
     """Return the creepage from which all of a pressed cylinder slides if it is not coupled [-].
 
     Parameters
@@ -284,10 +282,8 @@ def sliding_creepage(bed: LineBed, half_width: float, friction: float, count: in
         a [m].
     friction : float
         mu [-].
-    count : int, optional
-        Elements.
     """
-    rollers = _Rollers(bed, half_width, False, count)
+    rollers = _Rollers(bed, half_width, False, COUNT)
     if bed.sheared_as_pressed:
         return friction * bed.along_share * rollers.slope
     return friction * rollers.slope * _StripEquations(rollers.grid(1.0), 0.0, 1.0).sliding(1.0).creepage

@@ -62,8 +62,6 @@ from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["LineRollingStart", "LineRollingStartSolution"]
-
 MOST_STEPS = 200_000
 """Steps of a march; more would take hours."""
 NEAREST_REFERENCE = 2.0

@@ -9,8 +9,6 @@ from winkler.numerics.types import Array
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["DRAGGED", "ELEMENTS", "ELEMENTS_ON_LAYERS", "LineRollingState", "rolled_state"]
-
 ELEMENTS = Note(
     Assumption.SLIP,
     Standing.APPROXIMATE,

@@ -56,8 +56,6 @@ from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["CARTER", "LineRolling", "LineRollingSolution"]
-
 SLIDING_TOLERANCE = 1e-12
 """A force beyond what friction bears by no more than this part of it is that of sliding."""
 

@@ -16,8 +16,6 @@ from winkler.problems.normal.strong_parts import strong_parts
 from winkler.problems.normal.yield_statement import elastic_note
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["FULL_COUPLING", "rolled_yield_notes", "strip_note", "strip_stresses"]
-
 BENTALL = "R. H. Bentall, K. L. Johnson, Int. J. Mech. Sci. 9 (1967) 389-404, doi:10.1016/0020-7403(67)90043-4"
 FULL_COUPLING = Note(
     Assumption.UNCOUPLED,

@@ -37,8 +37,6 @@ from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["PeriodicIndentation", "PeriodicSolution"]
-
 ROUNDING = 2e-6
 """Part over u by which half-widths may exceed what is known of a profile with sharp valleys."""
 

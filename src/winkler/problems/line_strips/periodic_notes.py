@@ -22,8 +22,6 @@ from winkler.problems.normal.validity import steepness_note
 from winkler.problems.normal.yield_statement import elastic_note
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["closing_load", "periodic_notes"]
-
 WESTERGAARD = "H. M. Westergaard, J. Appl. Mech. 6 (1939) A49-A53"
 PRESSURE_SAMPLES, REFINEMENTS = 65, 9
 ROUNDING = 1e-9

@@ -34,8 +34,6 @@ from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["LineProfileContact", "LineProfileSolution"]
-
 STRAIGHT = Tilt(0.0)
 
 

@@ -23,8 +23,6 @@ from winkler.problems.normal.yield_statement import elastic_note
 from winkler.profiles.sections.section import Section
 from winkler.values.validity import Assumption, Note, Standing, standing_of
 
-__all__ = ["profile_notes"]
-
 FINITE = "Effects of the ends of a body of finite length and thickness are neglected."
 FLAMANT = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 2.7, doi:10.1017/CBO9781139171731"
 FINE, COARSE = 0.02, 0.1

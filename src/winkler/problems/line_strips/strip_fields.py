@@ -22,8 +22,6 @@ from winkler.problems.line.layered_stress import in_layers
 from winkler.problems.line.stress import LineFields, fields_of, poisson_of
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["LineMedium", "layers_below", "middle_of", "response_below", "strip_fields", "strip_waves"]
-
 LineMedium = (
     HomogeneousMedium
     | CoatedHalfSpace

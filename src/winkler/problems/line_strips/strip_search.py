@@ -25,8 +25,6 @@ from winkler.numerics.types import Array
 from winkler.profiles.sections.section import Section
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["Pushed", "find_strips"]
-
 MOST_PLACES, FINER = 20000, 4
 """Places of the finest grid on which a refinement is begun, and how much finer each is."""
 WIDENINGS, WIDER = 60, 1.0

@@ -18,8 +18,6 @@ from winkler.numerics.springs.exponential_sums import CreepSeries
 from winkler.numerics.types import Array
 from winkler.values.checks.number_checks import affordable
 
-__all__ = ["CreptLoad", "Spacing"]
-
 INTERPOLATED = 4
 """Places for each moment, between which the spacing is inverted."""
 MOST_MOMENTS = 2_000_000

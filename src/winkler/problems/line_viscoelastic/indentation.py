@@ -46,8 +46,6 @@ from winkler.values.limits import MOST_NUMBERS, RELAXING_SPRINGS
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["LineViscoelasticIndentation", "LineViscoelasticSolution"]
-
 NO_LOAD = 1e-12
 """Part of the greatest force per length below which there is none."""
 PLACES_INSIDE = np.linspace(0.0, 0.98, 25)

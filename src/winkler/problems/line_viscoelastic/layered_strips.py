@@ -25,8 +25,6 @@ from winkler.numerics.types import Array
 from winkler.problems.line.approach import Place
 from winkler.problems.line.layered_approach import layered_approach
 
-__all__ = ["RelaxingBed", "elastic_line", "layered_approaches", "layered_pressure", "shares_of"]
-
 TOLERANCE = 1e-9
 """Of an approach, over the greatest, between half-widths at which it is computed."""
 

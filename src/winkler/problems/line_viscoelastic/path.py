@@ -17,8 +17,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.limits import PATH_POINTS
 from winkler.values.value import value, words
 
-__all__ = ["LineForcePath", "divided"]
-
 
 @value
 class LineForcePath:

@@ -25,8 +25,6 @@ from winkler.problems.line.references import PlateBase, RollerCentre
 from winkler.problems.line_viscoelastic.layered_strips import RelaxingBed, elastic_line, layered_approaches
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["approach_of_strips"]
-
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
 
 

@@ -18,7 +18,8 @@ from winkler.foundation.layered_line import LayeredLineFoundation
 from winkler.foundation.line import LineFoundation
 from winkler.media.offers import offers
 from winkler.media.relaxing.by_waves import RelaxingByWaves
-from winkler.numerics.transforms.abel_intervals import root_difference
+from winkler.numerics.chunks import chunks
+from winkler.numerics.panels.abel_intervals import root_difference
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.line.approach import Place
 from winkler.problems.line.peak_pressure import peak_pressure
@@ -32,8 +33,6 @@ from winkler.problems.line_viscoelastic.layered_strips import (
 from winkler.problems.line_viscoelastic.sinking import approach_of_strips
 from winkler.values.checks.place_checks import finite_places
 from winkler.values.value import value, words
-
-__all__ = ["LineViscoelasticState"]
 
 BLOCK = 2**20
 """Pairs of places and strips in one go."""
@@ -112,13 +111,12 @@ class LineViscoelasticState(OfWidth[float]):
             shares, edge_load = shares_of(line, edges, borne), 0.0
             loads = line.medium.modulus * shares * np.diff(line.half_plane.load_profile(edges))
             added = layered_pressure(line, edges, shares, self.edge_load)
-        densities, block = self._densities(edges, loads), max(1, BLOCK // edges.size)
+        densities = self._densities(edges, loads)
 
         def pressures(places: Array) -> Array:
             flat, found = places.ravel(), np.empty(places.size)
-            for start in range(0, flat.size, block):
-                part = flat[start : start + block]
-                found[start : start + block] = self._pressure(part, edges, densities, edge_load) + added(part)
+            for part in chunks(flat.size, edges.size, BLOCK):
+                found[part] = self._pressure(flat[part], edges, densities, edge_load) + added(flat[part])
             return found.reshape(places.shape)
 
         return pressures

@@ -12,8 +12,6 @@ from winkler.problems.line_viscoelastic.layered_strips import RelaxingBed, elast
 from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["relaxing_line_notes"]
-
 TING = "T. C. T. Ting, J. Appl. Mech. 33 (1966) 845-854, doi:10.1115/1.3625192"
 
 

@@ -32,8 +32,6 @@ from winkler.problems.viscoelastic.layered_notes import COARSER_STEPS, changed_b
 from winkler.problems.viscoelastic.layered_path import REACH_MARGIN, walked
 from winkler.values.validity import Note
 
-__all__ = ["cells_notes", "strips_along"]
-
 OWNER = "LineViscoelasticIndentation"
 NODES = 6
 """Gauss-Legendre nodes on each half of a hat, of the mean height of a profile under it."""

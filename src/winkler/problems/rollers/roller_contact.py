@@ -37,8 +37,6 @@ from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing, standing_of
 from winkler.values.value import value, words
 
-__all__ = ["RollerContact", "RollerSolution", "roller_notes"]
-
 STRAIGHT = Tilt(0.0)
 SAMPLES = 2001
 

@@ -17,7 +17,7 @@ from winkler.laws.friction import Sliding
 from winkler.loading.loads import Force, ShearForce
 from winkler.loading.path import Path
 from winkler.media.mapped import MappedMedium
-from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.integrals.quadrature import panel_nodes
 from winkler.numerics.types import Array
 from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
 from winkler.profiles.rough.topography import Topography
@@ -59,12 +59,12 @@ def loops_of_stiffness(force: Array, stiffness: Array, coefficient: float, share
     from scipy.interpolate import PchipInterpolator
 
     curve = PchipInterpolator(np.log(force), np.log(stiffness))
-    node, weight = gauss_legendre(NODES)
     most, shift, loss = float(force[-1]), np.empty(shares.size), np.empty(shares.size)
     for i, share in enumerate(shares.tolist()):
         edges = np.log(np.concatenate(([(1.0 - share) * most], force[force > (1.0 - share) * most * (1.0 + 1e-12)])))
-        place = np.exp((edges[:-1, None] + np.diff(edges)[:, None] * node).ravel())
-        softness = (np.diff(edges)[:, None] * weight).ravel() * place / np.exp(curve(np.log(place)))
+        logarithm, weight = panel_nodes(edges, NODES)
+        place = np.exp(logarithm)
+        softness = weight * place / np.exp(curve(np.log(place)))
         shift[i] = coefficient * float(np.sum(softness))
         # the integral of u from 0 to F_x, by parts: each F' has slipped through F_x - mu (F - F')
         rest = share * most - (most - place)

@@ -34,26 +34,21 @@ class Spectrum(Protocol):
     @property
     def smallest(self) -> float:
         """Wave number q [rad/m] below which there is nothing."""
-        ...
 
     @property
     def greatest(self) -> float:
         """Wave number q [rad/m] above which there is nothing."""
-        ...
 
     @property
     def rms_height(self) -> float:
         """Root mean square height [m]."""
-        ...
 
     @property
     def rms_slope(self) -> float:
         """Root mean square gradient [-]."""
-        ...
 
     def at(self, wave_number: Array) -> Array:
         """C(q) [m^4], zero outside."""
-        ...
 
 
 @value

@@ -27,7 +27,6 @@ class MaterialActions(Protocol):
 
     def change(self, path: str, text: str, takes: str) -> None:
         """Set the content of a key."""
-        ...
 
 
 class MaterialForm(Protocol):
@@ -36,13 +35,11 @@ class MaterialForm(Protocol):
     @property
     def actions(self) -> MaterialActions:
         """Changes of the study."""
-        ...
 
     inputs: dict[str, Any]
 
     def mark(self, path: str) -> None:
         """Show whether what stands at a path is an example's."""
-        ...
 
 
 def draw_material(fields: MaterialForm, kind: str, entry: FormEntry) -> None:

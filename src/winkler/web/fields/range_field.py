@@ -21,11 +21,9 @@ class RangeActions(Protocol):
 
     def give_range(self, entry: FormEntry, spacing: str, texts: dict[str, str], *, anew: bool) -> None:
         """Set the range of a key."""
-        ...
 
     def give_one(self, path: str) -> None:
         """Replace the range of a key by one number."""
-        ...
 
 
 class BoxMaker(Protocol):
@@ -33,7 +31,6 @@ class BoxMaker(Protocol):
 
     def box(self, path: str, text: str, label: str, spoken: str, placeholder: str | None = None) -> Any:
         """Draw and return the box."""
-        ...
 
 
 def draw_range_boxes(

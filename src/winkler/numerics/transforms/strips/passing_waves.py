@@ -20,6 +20,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from winkler.numerics.chunks import chunks
 from winkler.numerics.transforms.cosine_transform import wave_numbers
 from winkler.numerics.types import Array, ComplexArray
 from winkler.values.errors import NotConverged
@@ -84,9 +85,7 @@ def passing_modes(response: Callable[[Array], ComplexArray]) -> PassingModes | N
 def _slopes(count: int, kappa: Array, response: ComplexArray) -> Array:
     """Return 4 n Re i^(m-n) times the sums of the response and J_n J_m, ``(1 + count, count)``, m from 0 on."""
     real, imaginary = np.zeros((2, count + 1, count + 1))  # m - n even, and odd
-    step = max(1, ENTRIES // (count + 1))
-    for start in range(0, kappa.size, step):
-        part = slice(start, start + step)
+    for part in chunks(kappa.size, count + 1, ENTRIES):
         rows = _bessel(count, kappa[part])
         even, odd = rows[::2], rows[1::2]
         real[::2, ::2] += (even * response[part].real) @ even.T

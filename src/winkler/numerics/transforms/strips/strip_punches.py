@@ -49,7 +49,7 @@ import numpy as np
 
 from winkler.numerics.caching import cached_by_value
 from winkler.numerics.chunks import chunks
-from winkler.numerics.integrals.quadrature import gauss_legendre
+from winkler.numerics.integrals.quadrature import gauss_legendre, panel_nodes
 from winkler.numerics.transforms.cosine_transform import (
     WaveResponse,
     has_tail,
@@ -223,10 +223,8 @@ def _panels(count: int) -> Array:
 @functools.lru_cache(maxsize=8)
 def _grid(count: int) -> _EdgePanels:
     panels = _panels(count)
-    nodes, weights = gauss_legendre(PANEL_NODES)
-    y = panels[:-1, None] + np.diff(panels)[:, None] * nodes
-    places = np.sqrt(y.ravel())
-    to_series = np.linalg.inv(np.polynomial.chebyshev.chebvander(2.0 * nodes - 1.0, PANEL_NODES - 1))
+    y, weights = panel_nodes(panels, PANEL_NODES)
+    places, to_series = np.sqrt(y), legendre_to_chebyshev(PANEL_NODES)
     shares, rule = gauss_legendre(SPLIT_NODES)
     near, rule = shares**SPLIT_POWER, rule * SPLIT_POWER * shares ** (SPLIT_POWER - 1)
     matrices = np.empty((2, places.size, places.size))
@@ -239,7 +237,7 @@ def _grid(count: int) -> _EdgePanels:
         columns = slice(panel * PANEL_NODES, (panel + 1) * PANEL_NODES)
         for matrix, kernel in zip(matrices, _kernels(places[:, None], np.maximum(t, 1e-300)), strict=True):
             matrix[:, columns] = np.einsum("ij,ijk->ik", step * kernel, basis) @ to_series
-    return _EdgePanels(places, (np.diff(panels)[:, None] * weights).ravel(), *matrices)
+    return _EdgePanels(places, weights, *matrices)
 
 
 def _kernels(c: Array, t: Array) -> tuple[Array, Array]:
