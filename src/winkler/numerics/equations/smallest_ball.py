@@ -82,11 +82,13 @@ def smallest_balls(across: Array, down: Array, raised: Array, square: Array, cen
                         inside = inside and (x[i] - px) ** 2 + (y[i] - py) ** 2 + w[i] <= here * (1.0 + SETTLED)
                     if inside:
                         best, best_x, best_y, best_size = here, px, py, length
-                        found[:] = trial
+                        for k in range(3):  # to compile an assignment of slices takes seconds
+                            found[k] = trial[k]
             if best_size == 0 or best <= level:
                 break  # rounding
             cx, cy, level, size = best_x, best_y, best, best_size
-            basis[:] = found
+            for k in range(3):
+                basis[k] = found[k]
         square[column], centre[0, column], centre[1, column] = level, cx, cy
         for k in range(3):
             touched[k, column] = basis[k] if k < size else -1
