@@ -244,9 +244,9 @@ def _ellipse(solution: Any, problem: Any) -> ElasticState | None:
 
 
 def _strip(solution: Any, problem: Any) -> ElasticState | None:
-    bed: Any = getattr(problem, "bed", None)
     half_width, force = (getattr(solution, name, None) for name in ("half_width", "force_per_length"))
-    if not hasattr(bed, "hertzian") or half_width is None or not isinstance(bed.medium, HalfSpace):
+    bed: Any = None if half_width is None else getattr(problem, "bed", None)  # an ellipse on layers has none
+    if not hasattr(bed, "hertzian") or not isinstance(bed.medium, HalfSpace):
         return None
     from winkler.loading.loads import HalfWidth, LineForce
     from winkler.problems.line.indentation import LineIndentation
@@ -352,23 +352,18 @@ def _plain_parts(medium: Any) -> tuple[StrongPart, ...]:
 
 
 def _roller(solution: Any, problem: Any) -> ElasticState | None:
-    """Return the stresses of the most pressed slice of a roller, taken as endless; of its middle if ends are sharp."""
+    """Return the stresses in the middle of a roller with sharp ends, taken as endless; others are maps."""
     medium, last = getattr(problem, "medium", None), getattr(solution, "last", solution)
-    if not isinstance(medium, HalfSpace) or not hasattr(last, "middle_pressure"):
+    if not (isinstance(medium, HalfSpace) and getattr(last, "middle_pressure", 0.0) and math.isinf(last.peak_pressure)):
         return None
     from winkler.foundation.line import LineFoundation
     from winkler.problems.line.stress import LineContact
     from winkler.profiles.power import Paraboloid
 
-    sharp = math.isinf(last.peak_pressure)
-    pressure = last.middle_pressure if sharp else last.peak_pressure
-    if not pressure > 0.0:
-        return None
     bed = LineFoundation(Paraboloid(problem.radius), medium)
-    width = 2.0 * problem.radius * pressure / medium.modulus
-    under = "in the middle, the sharp ends left aside" if sharp else "in the most pressed slice"
+    width = 2.0 * problem.radius * last.middle_pressure / medium.modulus
     find = _below_strip(lambda one: LineContact(bed, width, 0.0, one.solid.poisson, 0.0))
-    return _state(solid_parts(medium), find, last.peak_pressure, "N", under)[1]
+    return _state(solid_parts(medium), find, last.peak_pressure, "N", "in the middle, the sharp ends left aside")[1]
 
 
 def _map(point: SolvedPoint) -> ElasticState | None:
