@@ -1,7 +1,7 @@
 """The stresses beside an answer: greatest pressure, von Mises' and shear stress with their depths, load of yield.
 
 One search serves all contacts whose stresses are known: springs of round contacts, also where an edge adheres, Hertz's
-ellipse, strips, rollers by their most pressed slice, height maps and patches of profiles with their tractions, bodies
+ellipse, strips, height maps, rollers, and patches of profiles with their tractions, bodies
 that relax, and metals that have yielded, whose greatest von Mises stress is the strength.  Strips of bodies
 that relax follow from their own pressures.  Not built: worn bodies, whose pressure is known at single places alone,
 attraction of a range, whose springs do not end at the rim, and strips that pull at their edges; `unknown_because` says
