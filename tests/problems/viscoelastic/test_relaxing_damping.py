@@ -294,7 +294,8 @@ def test_the_picture_tells_the_losses_apart():
 def test_bodies_that_never_touch_are_refused_as_such(asked):
     """On layers of own laws, and under a line, a division by zero was taken for numbers that are too large."""
     medium = wk.ViscoelasticCoatedHalfSpace([wk.ViscoelasticLayer(STANDARD, 0.01)], wk.Elastic(1.0, 0.3))
-    bed, line = wk.Foundation(wk.Paraboloid(1.0), medium), wk.LayeredLineFoundation(wk.Paraboloid(1.0), medium)
+    bed = wk.Foundation(wk.Paraboloid(1.0), medium)
+    line = wk.LineFoundation(wk.Paraboloid(1.0), wk.ViscoelasticHalfSpace(STANDARD))
     problem = {
         "damping": lambda: wk.FrictionDamping(bed, MU, wk.Depth(0.0), wk.Shift(1e-4), frequency=1.0),
         "bimodal": lambda: wk.BimodalDamping(bed, MU, 0.0, 0.0, 1e-4, frequency=1.0),
