@@ -245,7 +245,9 @@ def _ellipse(solution: Any, problem: Any) -> ElasticState | None:
 
 def _strip(solution: Any, problem: Any) -> ElasticState | None:
     half_width, force = (getattr(solution, name, None) for name in ("half_width", "force_per_length"))
-    bed: Any = None if half_width is None else getattr(problem, "bed", None)  # an ellipse on layers has none
+    if half_width is None:  # an ellipse, which has no bed on layers
+        return None
+    bed: Any = getattr(problem, "bed", None)
     if not hasattr(bed, "hertzian") or not isinstance(bed.medium, HalfSpace):
         return None
     from winkler.loading.loads import HalfWidth, LineForce
@@ -354,7 +356,9 @@ def _plain_parts(medium: Any) -> tuple[StrongPart, ...]:
 def _roller(solution: Any, problem: Any) -> ElasticState | None:
     """Return the stresses in the middle of a roller with sharp ends, taken as endless; others are maps."""
     medium, last = getattr(problem, "medium", None), getattr(solution, "last", solution)
-    if not (isinstance(medium, HalfSpace) and getattr(last, "middle_pressure", 0.0) and math.isinf(last.peak_pressure)):
+    if not (isinstance(medium, HalfSpace) and hasattr(last, "middle_pressure")):
+        return None
+    if not (last.middle_pressure > 0.0 and math.isinf(last.peak_pressure)):
         return None
     from winkler.foundation.line import LineFoundation
     from winkler.problems.line.stress import LineContact
