@@ -101,6 +101,8 @@ def test_arrays_are_shape_and_range():
     assert repr(odd).splitlines()[-1] == "  depth    (2, 2) -1e-06 ... 2e-06 m"
     assert repr(Labelled(None, "x", np.array([]))).splitlines()[-1] == "  depth    [] m"
     assert repr(Labelled(None, "x", np.full(9, math.nan))).splitlines()[-1] == "  depth    (9,) no finite numbers"
+    assert repr(Labelled(None, "x", np.array([-0.0, 1.0]))).splitlines()[-1] == "  depth    [0 1] m"
+    assert repr(Labelled(None, "x", -0.0)).splitlines()[-1] == "  depth    0 m"
     assert repr(Labelled(None, "x", np.arange(9) > 2)).splitlines()[-1] == "  depth    (9,) 6 true"
     assert repr(Labelled(None, "x", (wk.Sphere(1.0),) * 9)).splitlines()[-1] == "  depth    9 x Sphere"
     assert len(repr(Labelled(None, "x" * 10_000, 1.0))) < 300

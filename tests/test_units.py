@@ -222,10 +222,13 @@ def test_any_dimension():
 def test_scale():
     assert (scale("um", "m"), scale("m", "nm"), scale("nm", "um")) == (1e-6, 1e9, 1e-3)
     assert scale("mm^3/(N m)", "1/Pa") == 1e-9
+    assert scale("kp/mm^2", "Pa") == 9.80665e6
     assert scale("deg", "rad") == pytest.approx(math.pi / 180, rel=1e-15)
     for before, after, sentence in (
         ("kg", "m", "line 1: 'kg' is the unit of a mass, not of a length."),
         ("MM", "m", "line 1: 'MM' is the unit of a quantity in MM, not of a length (did you mean 'mm'?)."),
+        ("mil", "m", "line 1: 'mil' is the unit of an angle, not of a length (did you mean 'thou'?)."),
+        ("lb", "N", "line 1: 'lb' is the unit of a mass, not of a force (did you mean 'lbf'?)."),
         ("", "m", "line 1: '' is the unit of a plain number, not of a length."),
         ("umm", "m", "line 1: 'umm' cannot be read: the unit 'umm' is unknown (did you mean 'um'?)."),
         ("degC", "K", "line 1: 'degC' has a zero of its own, so that no factor leads to 'K'; write K."),

@@ -168,7 +168,7 @@ def _plain(row: FieldRow, width_left: int) -> str:
     unit = f" {row.unit}" if row.unit else ""
     if isinstance(row.content, float):
         error = "" if row.error is None else f" +- {row.error:.2g}"
-        return f"{row.content:.5g}{error}{unit}"
+        return f"{row.content + 0.0:.5g}{error}{unit}"
     if isinstance(row.content, np.ndarray):
         return _range(row.content, 1.0, unit)
     return _call(row.content, width_left) or _outline(row.content, width_left)
@@ -192,6 +192,7 @@ def _range(numbers: np.ndarray, factor: float, unit: str) -> str:
         return f"{shape} {np.count_nonzero(numbers)} true"
     if numbers.dtype.kind != "f":
         return f"{shape} {numbers.dtype.name}"
+    numbers = numbers + 0.0  # of -0.0 zero
     if numbers.ndim == 1 and numbers.size <= FEW_NUMBERS:
         return f"[{' '.join(f'{number / factor:.5g}' for number in numbers)}]{unit}"
     finite = numbers[np.isfinite(numbers)]

@@ -40,6 +40,7 @@ SPELLINGS = [
     (re.compile("−"), "-"),
     (re.compile(r"\b([kmunM]?N)m\b"), r"\1 m"),
     (re.compile(r"\bMsi\b"), "Mpsi"),
+    (re.compile(r"\bkp\b"), "kgf"),
     (re.compile(r"(?<=[A-Za-z])\.(?=[A-Za-z])"), "*"),
 ]
 """Spellings in common use, and how they are read."""

@@ -56,6 +56,9 @@ KIND_NAMES = (
 WRITTEN = {"N/m": "1 kN/m"}
 """How quantities of a unit are written that shares its dimension with another one above."""
 
+CALLED_SO = {"mil": "thou", "lb": "lbf", "oz": "ozf", "kg": "kgf", "g": "gf", "A": "angstrom"}
+"""Symbol of a unit -> another unit that is called so, too."""
+
 WITH_COMMA = re.compile(r"([+-]?)([\d.,]*,[\d.,]*)(.*)", re.ASCII | re.DOTALL)
 THOUSANDS = re.compile(r"[1-9]\d{0,2}(,\d{3})+(\.\d*)?", re.ASCII)
 DECIMALS = re.compile(r"(\d*|[1-9]\d{0,2}(\.\d{3})+),\d+", re.ASCII)
@@ -195,8 +198,9 @@ def quantity(text: str | float, unit: str, *, what: str) -> float:
 
 
 def _fitting(written: str, unit: str) -> str:
-    """Return a hint at a unit that differs from what was `written` by capitals only, and fits."""
-    same = [name for name in COMMON_UNITS if name.lower() == written.lower() and _kind(name) == _kind(unit)]
+    """Return a hint at a unit that fits, and differs from what was `written` by capitals only or is called so, too."""
+    alike = [name for name in COMMON_UNITS if name.lower() == written.lower()]
+    same = [name for name in (*alike, CALLED_SO.get(written, written)) if _kind(name) == _kind(unit)]
     return f" (did you mean '{same[0]}'?)" if same else ""
 
 

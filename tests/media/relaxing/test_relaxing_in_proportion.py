@@ -149,7 +149,10 @@ def test_the_surface_outside_and_inside_a_film():
         (lambda: RelaxingInProportion(FILM, SOLID, 0.0), "shear is 0.0"),
         (lambda: RelaxingInProportion(FILM, SOLID, True), "shear is True"),
         (lambda: wk.CoatedHalfSpace([Layer(SOLID, 0.1)], on=wk.Rigid()), "ViscoelasticLayer"),
-        (lambda: ViscoelasticIndentation(wk.Foundation(BALL, FILM), Path([0.0, 1.0], Depth([0.0, 1.0]))), "proportion"),
+        (
+            lambda: ViscoelasticIndentation(wk.Foundation(BALL, FILM), Path([0.0, 1.0], Depth([0.0, 1.0]))),
+            "where layers",
+        ),
     ],
 )
 def test_what_is_refused(make, sentence):

@@ -286,7 +286,7 @@ def test_steps_are_the_solution():
         ({"topography": "map"}, InvalidInput, "topography is a str"),
         ({"medium": "steel"}, InvalidInput, "medium is a str"),
         ({"load": Radius(1e-4)}, InvalidInput, "load is a Radius"),
-        ({"load": Force([1.0, -1.0])}, InvalidInput, "load 1 is -1"),
+        ({"load": Force([1.0, -1.0])}, InvalidInput, "a force of -1 N at index 1 does not press"),
         ({"hardness": 0.0}, InvalidInput, "hardness is 0.0"),
         ({"tolerance": 1.0}, InvalidInput, "tolerance is 1.0"),
         ({"hardness": 1.0}, OutsideValidity, "more than hardness times the area"),

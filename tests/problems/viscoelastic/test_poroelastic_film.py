@@ -232,7 +232,7 @@ def test_what_does_not_fit_is_refused():
     ):
         with pytest.raises(InvalidInput, match=f"PoroelasticFilm: {next(iter(wrong))}"):
             wk.PoroelasticFilm(**{"shear": 1e3, "poisson": 0.3, "diffusivity": 1e-9, "thickness": 1e-4, **wrong})
-    with pytest.raises(OutsideValidity, match="waves of the kind along is not implemented"):
+    with pytest.raises(OutsideValidity, match="tangential forces is not implemented"):
         wk.FrictionDamping(bed(FILM), wk.Coulomb(0.3), wk.Depth(1e-3), wk.Shift(1e-6), frequency=1.0)
     with pytest.raises(InvalidInput, match="a PoroelasticFilm needs Foundation"):
         wk.CreepTest(wk.PlaneFoundation(BALL, FILM), 1.0, [1.0])

@@ -288,3 +288,18 @@ def test_the_picture_tells_the_losses_apart():
     np.testing.assert_allclose(whole, rubbed + inside, rtol=1e-12)
     assert len(damped.marks) == 2
     assert max(loop.marks[1].x) == pytest.approx(0.003, rel=1e-12)
+
+
+@pytest.mark.parametrize("asked", ["damping", "bimodal", "line"])
+def test_bodies_that_never_touch_are_refused_as_such(asked):
+    """On layers of own laws, and under a line, a division by zero was taken for numbers that are too large."""
+    medium = wk.ViscoelasticCoatedHalfSpace([wk.ViscoelasticLayer(STANDARD, 0.01)], wk.Elastic(1.0, 0.3))
+    bed = wk.Foundation(wk.Paraboloid(1.0), medium)
+    line = wk.LineFoundation(wk.Paraboloid(1.0), wk.ViscoelasticHalfSpace(STANDARD))
+    problem = {
+        "damping": lambda: wk.FrictionDamping(bed, MU, wk.Depth(0.0), wk.Shift(1e-4), frequency=1.0),
+        "bimodal": lambda: wk.BimodalDamping(bed, MU, 0.0, 0.0, 1e-4, frequency=1.0),
+        "line": lambda: wk.LineTangential(line, MU, wk.LinePath([0.0, 0.0], [0.0, 0.0], time=[0.0, 1.0])),
+    }[asked]()
+    with pytest.raises(OutsideValidity, match="the bodies never touch along this path; press them"):
+        problem.solve()

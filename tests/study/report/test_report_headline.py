@@ -381,6 +381,50 @@ def test_an_ellipse_of_springs_has_the_stresses_of_hertz():
     assert [one.value for one in state.shears] == pytest.approx([own.max_shear, own.orthogonal_shear], rel=1e-6)
 
 
+def boussinesq(load, x, z, poisson):
+    """Return the von Mises stress [Pa] below pixels, each as 16 point forces (Johnson 3.18), at y = 0."""
+    sides, counts = np.array(load.pixel) / 4.0, 4 * np.array(load.pressure.shape)
+    along, across = (load.corner[i] + (np.arange(counts[i]) + 0.5) * sides[i] for i in range(2))
+    force = np.repeat(np.repeat(load.pressure, 4, axis=0), 4, axis=1) * np.prod(sides) / (2.0 * np.pi)
+    u, v = x - along[:, None], -across
+    square = u * u + v * v
+    far, soft = np.sqrt(square + z * z), 1.0 - 2.0 * poisson
+    near = soft * (1.0 - z / far) * (u * u - v * v) / square**2
+    xx = np.sum(force * (near + soft * z * v * v / (far**3 * square) - 3.0 * z * u * u / far**5))
+    yy = np.sum(force * (-near + soft * z * u * u / (far**3 * square) - 3.0 * z * v * v / far**5))
+    zz, xz = np.sum(force * -3.0 * z**3 / far**5), np.sum(force * -3.0 * u * z * z / far**5)
+    return math.sqrt(0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) + 3.0 * xz * xz)
+
+
+@pytest.mark.slow
+def test_a_tilted_roller_is_stressed_most_near_its_end():
+    """By point forces; as an endless cylinder its most pressed slice would be 5 % more stressed, five times deeper."""
+    steel = wk.HalfSpace(wk.Elastic(210e9, 0.3))
+    found = wk.RollerContact(
+        10e-3, 10e-3, wk.LogarithmicEnds(1e6), steel, wk.Force(12e3), wk.Tilt(0.5e-3), elements=48
+    ).solve()
+    state = elastic_state.__wrapped__(SimpleNamespace(problem=found.problem, solution=found, each=(found,)))
+    load = found.surface_load
+    below = {
+        z: max(boussinesq(load, x, z, 0.3) for x in np.linspace(4.9e-3, 4.98e-3, 9)) for z in (50e-6, 66.7e-6, 90e-6)
+    }
+    assert max(below, key=below.get) == 66.7e-6
+    assert state.von_mises == pytest.approx(below[66.7e-6], rel=3e-3)
+    assert state.depth == pytest.approx(66.7e-6, abs=10e-6)
+
+
+@pytest.mark.slow
+def test_ellipses_on_layers_have_stresses():
+    """On layers of the material of the base they are Hertz'; the summary had called them not implemented."""
+    steel = wk.Elastic(210e9, 0.3)
+    bodies, load = wk.CurvedBodies(10e-3, 20e-3), wk.Force(20.0)
+    found = wk.EllipticIndentation(bodies, wk.CoatedHalfSpace([wk.Layer(steel, 30e-6)], steel), load).solve()
+    state = elastic_state.__wrapped__(SimpleNamespace(problem=found.problem, solution=found, each=(found,)))
+    own = wk.ContactStress(wk.EllipticIndentation(bodies, wk.HalfSpace(steel), load)).solve()
+    assert state.von_mises == pytest.approx(own.von_mises, rel=2e-3)
+    assert state.depth == pytest.approx(own.von_mises_depth, rel=0.03)
+
+
 def test_stresses_below_an_edge_that_adheres_are_those_of_hertz_less_those_of_a_flat_punch():
     """On the axis, of a harmonic f that is 1 at the surface, sigma_z = f - z f', 2 sigma_r = (1 + 2 nu) f + z f'."""
     point = shown_point(run(parse_study(whole_text("adhesive_cycle"))))

@@ -40,8 +40,8 @@ PER_CENT = "%"
 """Unit of a part that stands in per cent or as a plain number, and must say which: as "-" where it is the number."""
 PER_SECOND = ("1/s", "s-1", "s^-1")
 """Units in which an angular frequency is written too: its name says that it counts radians."""
-GRAMS = ("g", "kg")
-"""Units in which some instruments write a force: its weight, gf and kgf."""
+WEIGHED = ("g", "kg", "lb")
+"""Units in which some instruments write a force: its weight, gf, kgf and lbf."""
 COMMENT_MARKS = "#% \t"
 MOST_BETWEEN = 3
 """Most rows between the names and their units: empty, or such as "Waveform"."""
@@ -314,7 +314,7 @@ def _with_units(
         for column, unit in zip(columns, plain, strict=True)
     )
     plain = tuple(
-        f"{unit}f" if column.unit == "N" and unit in GRAMS else unit
+        f"{unit}f" if column.unit == "N" and unit in WEIGHED else unit
         for column, unit in zip(columns, plain, strict=True)
     )
     for column, unit in zip(columns, plain, strict=True):

@@ -172,9 +172,9 @@ class PoroelasticFilm(RelaxingByWaves):
             return both(part, np.broadcast_to(film, shape), solid_at(self.second, np.broadcast_to(s, shape)))
         if part is not Wave.NORMAL:
             raise OutsideValidity(
-                f"PoroelasticFilm: the response of its surface to waves of the kind {part.name.lower()} is not "
-                "implemented, only that to pressure and to a twist. Leave friction out, or give an elastic "
-                "CoatedHalfSpace, with the drained Poisson's ratio for long times or poisson=0.5 for short times."
+                "PoroelasticFilm: the response of its surface to tangential forces is not implemented, only that to "
+                "pressure and to a twist. Leave friction out, or give an elastic CoatedHalfSpace, with the drained "
+                "Poisson's ratio for long times or poisson=0.5 for short times."
             )
         found = drained_waves(np.asarray(s) * self.diffusion_time, xi * self.thickness, self.poisson)
         return both(part, found / self.shear, solid_at(self.second, s))

@@ -152,6 +152,8 @@ class RelaxingElementRow(ElementRow):
         )
         self.path, self.modulus = path, self.bed.medium.modulus
         self.most = friction * float(np.max(path.across))
+        if self.most <= 0.0:
+            raise OutsideValidity("LineTangential: the bodies never touch along this path; press them.")
         rows = [self._times(n) for n in range(path.moments.size)]
         ends, flat, across = self._laid(rows)
         self.pressed = self._pressed(bed, flat, across)

@@ -121,7 +121,8 @@ class LineViscoelasticIndentation:
             raise InvalidInput(
                 f"LineViscoelasticIndentation: the bed stands on a {type(medium).__name__}; give "
                 "LineFoundation(profile, ViscoelasticHalfSpace(solid)), LayeredLineFoundation(profile, "
-                "RelaxingInProportion(medium, solid, shear)), or LineIndentation for bodies that do not relax."
+                "RelaxingInProportion(medium, solid, shear)) or on a ViscoelasticCoatedHalfSpace(layers, on), or "
+                "LineIndentation for bodies that do not relax."
             )
         if isinstance(self.bed, LayeredLineFoundation):
             self.bed.refuse_grading(

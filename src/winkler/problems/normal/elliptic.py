@@ -41,6 +41,7 @@ from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
 from winkler.problems.one_load import picked, single
 from winkler.problems.pressed_shape.notes import pixel_notes
 from winkler.problems.pressed_shape.pressed_map import PIXELS, PressedMap, edge_error, grid_error, pressed_levels
+from winkler.problems.pressed_shape.surface_load import SurfaceLoad
 from winkler.problems.which_body import in_first_body
 from winkler.profiles.curved_pair import CurvedPair
 from winkler.profiles.ellipse import CurvedBodies
@@ -301,6 +302,11 @@ class EllipticSolution(PerLoad[Q]):
         squared = (along / self.longitudinal_semi_axis) ** 2 + (across / self.lateral_semi_axis) ** 2
         return np.asarray(self.peak_pressure * np.sqrt(np.maximum(1.0 - squared, 0.0)))
 
+    @property
+    def surface_load(self) -> SurfaceLoad:
+        """The pressures of pixels under the greatest load."""
+        return _pressed_map(self).load()
+
     def stresses(
         self, x: ArrayLike, y: ArrayLike, z: ArrayLike, friction: float = 0.0, angle: float = 0.0
     ) -> EllipticFields:
@@ -419,6 +425,15 @@ def _slopes_note(bodies: CurvedBodies | CurvedPair, axes: tuple[float, float]) -
     )
 
 
+def _pressed_map(contact: EllipticSolution[Q]) -> PressedMap:
+    """Return the contact under its greatest load, by pixels."""
+    problem, force = contact.problem, float(np.max(contact.force))
+    if force == 0.0:
+        raise OutsideValidity("The bodies do not touch, so there are no stresses; press harder.")
+    load = Force(force) if isinstance(problem.load, Force) else Depth(float(np.max(contact.depth)))
+    return pressed_ellipse(problem.bodies.together, problem.medium, load)[1]
+
+
 def pressed_yield_notes(contact: EllipticSolution[Q], traction: tuple[float, float] = (0.0, 0.0)) -> tuple[Note, ...]:
     """Return whether bodies pressed by pixels stay elastic under the greatest load.
 
@@ -429,9 +444,7 @@ def pressed_yield_notes(contact: EllipticSolution[Q], traction: tuple[float, flo
     traction : tuple of float, optional
         Along x and y over the pressure [-], of a contact that slides.
     """
-    problem, force = contact.problem, float(np.max(contact.force))
-    if not strong_parts(problem.medium) or force == 0.0:
+    medium = contact.problem.medium
+    if not strong_parts(medium) or not np.any(contact.force):
         return ()
-    load = Force(force) if isinstance(problem.load, Force) else Depth(float(np.max(contact.depth)))
-    pressed = pressed_ellipse(problem.bodies.together, problem.medium, load)[1]
-    return map_yield_notes(problem.medium, pressed.load(traction))
+    return map_yield_notes(medium, _pressed_map(contact).load(traction))

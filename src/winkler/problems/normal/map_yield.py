@@ -18,7 +18,8 @@ from winkler.values.validity import Assumption, Note, Standing
 __all__ = ["Body", "field_below", "greatest_in_parts", "greatest_share", "greatest_stress", "map_yield_notes"]
 
 MISES = "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582; A. E. H. Love, doi:10.1098/rsta.1929.0009"
-
+ROUNDING = 1e-9
+"""Part of the side of a map below which a place is zero, in words."""
 
 Body: TypeAlias = Elastic | LayerStack
 """What a load acts on: a half-space, or layers."""
@@ -96,7 +97,8 @@ def map_yield_notes(medium: object, load: SurfaceLoad, when: str = "") -> tuple[
         return ()
     share, spot, part = max(found, key=lambda each: each[0])
     depth = spot.z if part.first else -spot.z
-    where = f"{share_of(share, part)}, at x = {spot.x:.3g} m, y = {spot.y:.3g} m, z = {depth:.3g} m{when}"
+    x, y = (each if abs(each) > ROUNDING * side else 0.0 for each, side in zip(spot[1:3], load.lengths, strict=True))
+    where = f"{share_of(share, part)}, at x = {x:.3g} m, y = {y:.3g} m, z = {depth:.3g} m{when}"
     if share >= 1.0:
         return (
             Note(

@@ -40,6 +40,7 @@ from winkler.problems.normal.validity import steepness_note
 from winkler.problems.pressed_shape.notes import pixel_notes
 from winkler.problems.pressed_shape.pressed_map import PressedMap, edge_error, grid_error, pressed_levels
 from winkler.problems.pressed_shape.rounded_body import RoundedBody
+from winkler.problems.pressed_shape.surface_load import SurfaceLoad
 from winkler.profiles.profile import Profile
 from winkler.values.checks.field_checks import Condition
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
@@ -229,15 +230,30 @@ class NearlyRoundSolution(PerLoad[Q]):
 
     def _yield_notes(self) -> tuple[Note, ...]:
         """Return whether the bodies stay elastic under the greatest load, by pixels."""
-        medium, body = self.problem.medium, RoundedBody(self.problem.profiles)
+        medium = self.problem.medium
         if not strong_parts(medium):
             return ()
+        return unknown_yield(medium, SHARP) if self._sharp else map_yield_notes(medium, self.surface_load)
+
+    @property
+    def _sharp(self) -> bool:
         contour = np.max(self.contour.reshape(-1, len(self.problem.profiles)), axis=0)
-        if any(_is_sharp(profile, radius) for profile, radius in zip(self.problem.profiles, contour, strict=True)):
-            return unknown_yield(medium, "the elastic stress is infinite at a sharp tip, kink or rim")
+        return any(_is_sharp(profile, radius) for profile, radius in zip(self.problem.profiles, contour, strict=True))
+
+    @property
+    def surface_load(self) -> SurfaceLoad:
+        """The pressures of pixels under the greatest load.
+
+        Raises
+        ------
+        OutsideValidity
+            If the pressure is infinite at a sharp tip, kink or rim.
+        """
+        if self._sharp:
+            raise OutsideValidity(f"NearlyRoundIndentation: {SHARP}.")
         force, depth = float(np.max(self.force)), float(np.max(self.depth))
         load = Force(force) if isinstance(self.problem.load, Force) else Depth(depth)
-        return map_yield_notes(medium, pressed_body(body, medium, load)[1].load())
+        return pressed_body(RoundedBody(self.problem.profiles), self.problem.medium, load)[1].load()
 
     @property
     def _slope(self) -> float:
@@ -263,6 +279,7 @@ def _is_sharp(profile: Profile, radius: float) -> bool:
     return radius >= (1.0 - RIM) * bed.rim or any(sharp_places(pressed, 0.0, 0.0))
 
 
+SHARP = "the elastic stress is infinite at a sharp tip, kink or rim"
 MOST_ITERATIONS = 60
 FORCE_TOLERANCE = 1e-13
 DOUBLINGS = 60

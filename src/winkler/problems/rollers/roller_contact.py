@@ -279,7 +279,29 @@ class RollerSolution(RollerNumbers[Q]):
             max(float(np.max(along[np.isfinite(along)], initial=0.0)), float(np.max(np.abs(self.tilt)))),
             float(np.max(self.grid_error)),
         )
-        return (*notes, *_yield_notes(stated.medium, last, growth))
+        if growth > 1.0 or math.isinf(last.peak_pressure):
+            return (*notes, *unknown_yield(stated.medium, LAST_LOAD if growth > 1.0 else SHARP))
+        return (*notes, *map_yield_notes(stated.medium, self.surface_load))
+
+    @property
+    def surface_load(self) -> SurfaceLoad:
+        """The pressures under the last load, averaged over pixels of one length.
+
+        Raises
+        ------
+        OutsideValidity
+            If the pressure is infinite at sharp ends.
+        """
+        last = self.last
+        if math.isinf(last.peak_pressure):
+            raise OutsideValidity(f"RollerContact: {SHARP}.")
+        edges = np.linspace(last.edges[0], last.edges[-1], PIXELS_ALONG + 1)
+        borne = np.cumsum(np.pad(last.pressure * np.diff(last.edges)[:, None], ((1, 0), (0, 0))), axis=0)
+        shares = np.stack([np.interp(edges, last.edges, column) for column in borne.T], axis=1)
+        width = (last.y[-1] - last.y[0]) * last.y.size / (last.y.size - 1)
+        length = float(last.edges[-1] - last.edges[0])
+        pressure = np.diff(shares, axis=0) * (PIXELS_ALONG / length)
+        return SurfaceLoad(pressure, np.array([length, width]), corner=np.array([edges[0], -0.5 * width]))
 
 
 HARTNETT = "M. J. Hartnett, J. Lubr. Technol. 101 (1979) 105-109, doi:10.1115/1.3453270"
@@ -298,6 +320,7 @@ EDGES_ON_LAYERS = Note(
     "that each half of the widest contact has an eighth as many across as there are along the roller.",
     "loaded elements",
 )
+SHARP = "the elastic stress is infinite at sharp ends"
 LAST_LOAD = "pressures are stored of the last load, which is not the greatest"
 PIXELS_ALONG = 256
 """Along the roller, on which pressures are averaged for stresses below."""
@@ -371,17 +394,3 @@ def roller_notes(
             )
         )
     return tuple(notes)
-
-
-def _yield_notes(medium: MappedMedium, last: RollerState, growth: float) -> tuple[Note, ...]:
-    """Return whether bodies stay elastic below the pressures of a roller, averaged over pixels of one length."""
-    if growth > 1.0 or math.isinf(last.peak_pressure):
-        return unknown_yield(medium, LAST_LOAD if growth > 1.0 else "the elastic stress is infinite at sharp ends")
-    edges = np.linspace(last.edges[0], last.edges[-1], PIXELS_ALONG + 1)
-    borne = np.cumsum(np.pad(last.pressure * np.diff(last.edges)[:, None], ((1, 0), (0, 0))), axis=0)
-    shares = np.stack([np.interp(edges, last.edges, column) for column in borne.T], axis=1)
-    width = (last.y[-1] - last.y[0]) * last.y.size / (last.y.size - 1)
-    length = float(last.edges[-1] - last.edges[0])
-    pressure = np.diff(shares, axis=0) * (PIXELS_ALONG / length)
-    corner = np.array([edges[0], -0.5 * width])
-    return map_yield_notes(medium, SurfaceLoad(pressure, np.array([length, width]), corner=corner))

@@ -35,6 +35,7 @@ from winkler.numerics.surfaces.punched_grid import punch
 from winkler.numerics.types import Array, PerLoad, Q, Quantity, shaped
 from winkler.problems.assumptions.declared import MAPPED
 from winkler.problems.normal.map_yield import greatest_share, map_yield_notes
+from winkler.problems.normal.solve_contact import indices_of
 from winkler.problems.normal.unknown_yield import unknown_yield
 from winkler.problems.pressed_shape.force_at_yield import force_at_yield
 from winkler.problems.pressed_shape.surface_load import SurfaceLoad
@@ -392,10 +393,11 @@ def check_loads(rough: Topography, load: Force | Depth, hardness: float, compres
         Of one that is too great.
     """
     flat = numbers_of(load).ravel()
-    bad = np.flatnonzero(~(flat > 0.0))
-    if bad.size:
+    bad = ~(flat > 0.0)
+    if bad.any():
+        name, unit = ("force", "N") if isinstance(load, Force) else ("depth", "m")
         raise InvalidInput(
-            f"SurfaceContact: load {bad[0]} is {flat[bad[0]]:.6g}; without adhesion bodies are pressed together, "
+            f"SurfaceContact: a {name} of {flat[bad][0]:.6g} {unit}{indices_of(bad)} does not press; without adhesion "
             "give positive loads."
         )
     most = float(np.max(flat))

@@ -233,8 +233,6 @@ def dragged_layers(
         If the contact grows without end.
     """
     most = np.maximum(np.max(np.abs([path.across, path.along]), axis=1), 1e-300)
-    if float(np.max(path.across)) <= 0.0:
-        raise OutsideValidity(f"{owner}: the bodies never touch along this path; press them.")
     normal: Any = path.normal
     reach, done = contact_reach(owner, bed, normal, float(np.max(path.across))), 0
     twisted = owner == "Torsion"

@@ -77,6 +77,8 @@ def uppermost(bed: Bed) -> Bed:
 
 def contact_reach(owner: str, bed: Bed, normal: Depth | Force, most: float) -> float:
     """Return up to which radius [m] cells are needed for contacts up to a depth [m] or force [N]."""
+    if most <= 0.0:
+        raise OutsideValidity(f"{owner}: the bodies never touch along this path; press them.")
     by_depth = isinstance(normal, Depth)
     _, radius = (at_depth if by_depth else at_force)(uppermost(bed), np.array([most]))
     end = min(bed.rim, bed.reach)
@@ -103,10 +105,7 @@ def _walked(
     owner: str, bed: Bed, points: tuple[Array, Array], normal: Depth | Force, count: int, tolerance: float
 ) -> Iterator[tuple[CoupledCells, MarchedPoint]]:
     """Yield the cells at every point of a path, (times, depths or forces)."""
-    most = float(np.max(points[1]))
-    if most <= 0.0:
-        raise OutsideValidity(f"{owner}: the bodies never touch along this path; press them.")
-    reach = contact_reach(owner, bed, normal, most)
+    reach = contact_reach(owner, bed, normal, float(np.max(points[1])))
     return walked(owner, bed, points, normal, tolerance, lambda wide: cells_of(bed, wide, count), reach)
 
 

@@ -72,8 +72,8 @@ def relaxation_of(owner: str, bed: Bed) -> RelaxationSeries:
     if not offers(medium, RelaxingMedium) or not isinstance(bed, OnMedium):
         raise InvalidInput(
             f"{owner}: the bed stands on a {type(medium).__name__}; give Foundation(profile, "
-            "ViscoelasticHalfSpace(solid)), or RelaxingInProportion(medium, solid, shear) of a graded or layered "
-            "medium: only if all its parts relax in proportion does g not change in time."
+            "ViscoelasticHalfSpace(solid)), RelaxingInProportion(medium, solid, shear) of a graded or layered medium, "
+            "or ViscoelasticCoatedHalfSpace(layers, on) where layers relax each by a law of its own."
         )
     return medium.relaxation
 

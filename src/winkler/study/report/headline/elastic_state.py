@@ -1,7 +1,7 @@
 """The stresses beside an answer: greatest pressure, von Mises' and shear stress with their depths, load of yield.
 
 One search serves all contacts whose stresses are known: springs of round contacts, also where an edge adheres, Hertz's
-ellipse, strips, rollers by their most pressed slice, height maps and patches of profiles with their tractions, bodies
+ellipse, strips, height maps, rollers, and patches of profiles with their tractions, bodies
 that relax, and metals that have yielded, whose greatest von Mises stress is the strength.  Strips of bodies
 that relax follow from their own pressures.  Not built: worn bodies, whose pressure is known at single places alone,
 attraction of a range, whose springs do not end at the rim, and strips that pull at their edges; `unknown_because` says
@@ -245,9 +245,11 @@ def _ellipse(solution: Any, problem: Any) -> ElasticState | None:
 
 
 def _strip(solution: Any, problem: Any) -> ElasticState | None:
-    bed: Any = getattr(problem, "bed", None)
     half_width, force = (getattr(solution, name, None) for name in ("half_width", "force_per_length"))
-    if not hasattr(bed, "hertzian") or half_width is None or not isinstance(bed.medium, HalfSpace):
+    if half_width is None:  # an ellipse, which has no bed on layers
+        return None
+    bed: Any = getattr(problem, "bed", None)
+    if not hasattr(bed, "hertzian") or not isinstance(bed.medium, HalfSpace):
         return None
     from winkler.loading.loads import HalfWidth, LineForce
     from winkler.problems.line.indentation import LineIndentation
@@ -349,23 +351,20 @@ def _plain_parts(medium: Any) -> tuple[StrongPart, ...]:
 
 
 def _roller(solution: Any, problem: Any) -> ElasticState | None:
-    """Return the stresses of the most pressed slice of a roller, taken as endless; of its middle if ends are sharp."""
+    """Return the stresses in the middle of a roller with sharp ends, taken as endless; others are maps."""
     medium, last = getattr(problem, "medium", None), getattr(solution, "last", solution)
-    if not isinstance(medium, HalfSpace) or not hasattr(last, "middle_pressure"):
+    if not (isinstance(medium, HalfSpace) and hasattr(last, "middle_pressure")):
+        return None
+    if not (last.middle_pressure > 0.0 and math.isinf(last.peak_pressure)):
         return None
     from winkler.foundation.line import LineFoundation
     from winkler.problems.line.stress import LineContact
     from winkler.profiles.power import Paraboloid
 
-    sharp = math.isinf(last.peak_pressure)
-    pressure = last.middle_pressure if sharp else last.peak_pressure
-    if not pressure > 0.0:
-        return None
     bed = LineFoundation(Paraboloid(problem.radius), medium)
-    width = 2.0 * problem.radius * pressure / medium.modulus
-    under = "in the middle, the sharp ends left aside" if sharp else "in the most pressed slice"
+    width = 2.0 * problem.radius * last.middle_pressure / medium.modulus
     find = _below_strip(lambda one: LineContact(bed, width, 0.0, one.solid.poisson, 0.0))
-    return _state(solid_parts(medium), find, last.peak_pressure, "N", under)[1]
+    return _state(solid_parts(medium), find, last.peak_pressure, "N", "in the middle, the sharp ends left aside")[1]
 
 
 def _map(point: SolvedPoint) -> ElasticState | None:
