@@ -29,7 +29,7 @@ PARTS = {
 
 
 def draw(
-    study: Annotated[Path, typer.Argument(help="A study file (TOML).", show_default=False)],
+    study: Annotated[Path, typer.Argument(help="A study file (TOML).", show_default=False, readable=False)],
     output: Annotated[
         Path | None,
         typer.Option(

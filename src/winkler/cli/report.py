@@ -15,7 +15,7 @@ __all__ = ["report"]
 
 
 def report(
-    study: Annotated[Path, typer.Argument(help="A study file (TOML) of a problem.", show_default=False)],
+    study: Annotated[Path, typer.Argument(help="A study file (TOML) of a problem.", show_default=False, readable=False)],
     output: Annotated[
         Path | None,
         typer.Option("--output", "-o", help="The page; NAME.html, or NAME.pdf, if not given.", show_default=False),

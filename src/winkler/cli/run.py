@@ -26,7 +26,7 @@ EXPECTATION_MISSED = 1
 
 
 def run(
-    study: Annotated[Path, typer.Argument(help="A study file (TOML).", show_default=False)],
+    study: Annotated[Path, typer.Argument(help="A study file (TOML).", show_default=False, readable=False)],
     output: Output = None,
     settings: Settings = None,
     overwrite: Overwrite = False,
@@ -98,7 +98,7 @@ def run(
 
 
 def merge(
-    study: Annotated[Path, typer.Argument(help="A study file (TOML) with a sweep.", show_default=False)],
+    study: Annotated[Path, typer.Argument(help="A study file (TOML) with a sweep.", show_default=False, readable=False)],
     output: Output = None,
     settings: Settings = None,
     overwrite: Overwrite = False,
