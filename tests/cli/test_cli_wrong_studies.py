@@ -219,7 +219,7 @@ READERS = ["run", "fit", "draw", "report", "merge", "cite", "table --output law.
 def test_no_command_asks_in_words_of_its_own_whether_a_study_can_be_read(command, tmp_path, monkeypatch, capsys):
     """A study that nobody may read was an "invalid value for 'study'", with the help as its way out."""
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(os, "access", lambda *_: False)
+    monkeypatch.setattr(os, "access", lambda path, *_: str(path) != "ball.toml")
     Path("ball.toml").write_text("", encoding="utf-8")
     name, *options = command.split()
     assert main([name, "ball.toml", *options]) == 2

@@ -18,11 +18,13 @@ __all__ = [
     "Overwrite",
     "Quiet",
     "Settings",
+    "StudyFile",
     "completion",
     "refuse_existing",
     "stated_workers",
 ]
 
+StudyFile = Annotated[Path, typer.Argument(help="A study file (TOML).", show_default=False, readable=False)]
 Output = Annotated[
     Path | None,
     typer.Option("--output", "-o", help="Folder of the results; results/NAME unless the study states another one."),
