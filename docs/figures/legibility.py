@@ -200,6 +200,9 @@ def _hidden(one: Seen, panels: list[Seen]) -> Iterator[str]:
                 yield f"below the legend: {curve.name!r} {_over(one)}"
     for text in one.notes:
         if text.grounded:
+            for curve, dots in curves:
+                if curve.solid and np.sum(_within(dots, text.box)) > HIDDEN * one.box.width:
+                    yield f"below the text {text.text!r}: {curve.name!r} {_over(one)}"
             continue
         box = text.box.padded(-0.25 * min(text.box.height, text.box.width))
         if any(np.sum(_within(dots, box)) > 4 for dots in [*(dots for _, dots in curves), *one.rules]):
