@@ -190,8 +190,8 @@ def test_ticks_are_round_and_as_many_as_there_is_room_for(seed):
 def test_an_axis_however_short_has_two_numbers(seed):
     """The residuals of compared models stood beside a zero alone."""
     rng = np.random.default_rng(seed)
-    low, wide = rng.normal(), 10.0 ** rng.uniform(-3.0, 4.0)
-    for low, high, length in ((low, low + wide, 12.0), (-wide, wide, 20.0), (-0.9 * wide, 0.3 * wide, 30.0)):
+    least, wide = rng.normal(), 10.0 ** rng.uniform(-3.0, 4.0)
+    for low, high, length in ((least, least + wide, 12.0), (-wide, wide, 20.0), (-0.9 * wide, 0.3 * wide, 30.0)):
         for axis in (PanelAxis("residual"), PanelAxis("residual", parts=3)):
             side = Side(low, high + 2.0 * axis.parts, False, 0.0, length)
             assert ticks_of(axis, side, 9.0, across=False).places.size >= 2
