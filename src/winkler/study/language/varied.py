@@ -18,10 +18,7 @@ SCALES = ("linear", "log")
 def check_path(key: str) -> None:
     """Refuse a key that is not a path from the problem on, as one that was written without quotes."""
     if not key.startswith("problem."):
-        raise InvalidInput(
-            f"sweep: the key '{key}' does not start with 'problem.'; write the whole path in quotes, as "
-            '"problem.load.force".'
-        )
+        raise InvalidInput(f"sweep: the key '{key}' does not start with 'problem.'; write its whole path in quotes.")
 
 
 @value
