@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import importlib.util
 import inspect
+import itertools
 import re
 
 import numpy as np
@@ -260,6 +261,36 @@ def test_pages_lead_on_to_pages_that_are_there(root):
             if not place.exists():
                 broken.append(f"{path.name}: {target}")
     assert broken == []
+
+
+SUPPORTS = re.compile(r"\b(?:do(?:es)? not|also|is|are)? ?(?:not )?(?:support(?:s|ed)?|accepts?)\b")
+
+
+def test_what_a_page_says_of_a_problem_and_a_medium_is_what_the_cells_say(root, cells):
+    """Friction on layers that relax was opened, and three pages said for another day that it was not supported."""
+    problems = {CATALOGUE["problem"][kind].cls.__name__: kind for kind, _ in cells.cells}
+    media = {line.cls.__name__: kind for kind, line in CATALOGUE["medium"].items() if kind != "stacked_half_space"}
+    wrong, seen = [], 0
+    for path in project_files(root / "docs", "*.md"):
+        text = " ".join(re.sub(r"(?ms)^```.*?^```", "", path.read_text(encoding="utf-8")).split())
+        for sentence in re.split(r"(?<=[.;:])\s|\|", text if "changelog" not in path.parts else ""):
+            sides = [re.findall(r"`(\w+)", side) for side in SUPPORTS.split(sentence)]
+            for one, other in [*itertools.pairwise(sides), *itertools.pairwise(sides[::-1])] if len(sides) == 2 else ():
+                for kind, medium in itertools.product(problems.keys() & one, media.keys() & other):
+                    if cell := cells.cells.get((problems[kind], media[medium])):
+                        seen += 1
+                        if (cell.word == "refused") != (" not support" in sentence):
+                            wrong.append(f"{path.name}: {sentence}")
+    assert seen >= 25, "too few sentences are found"
+    assert wrong == []
+
+
+def test_the_items_of_a_list_count_without_a_gap(root):
+    """The fourth step of a list stood within the third."""
+    for path in [*project_files(root / "docs", "*.md"), *root.glob("*.md")]:
+        text = re.sub(r"(?ms)^```.*?^```", "", path.read_text(encoding="utf-8"))
+        numbers = [0, *(int(number) for number in re.findall(r"(?m)^\s*(\d+)\. ", text))]
+        assert all(after in (1, before + 1) for before, after in itertools.pairwise(numbers)), path.name
 
 
 def test_the_puzzle_is_the_first_page(root):

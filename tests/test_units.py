@@ -94,6 +94,7 @@ def test_what_is_read(text, unit, number):
 
 SCALE_WITH_ZERO = "a temperature scale with its own zero cannot be part of another unit; write K."
 
+ONE_NUMBER = "write one number, then its unit, as '2.1e5 MPa'."
 REFUSED = [
     ("10,5 mm", "m", "'10,5 mm' has a comma; write decimals with a point and thousands without, as '10.5 mm'."),
     ("1,234.5 mm", "m", "'1,234.5 mm' has a comma; write decimals with a point and thousands without, as '1234.5 mm'."),
@@ -175,16 +176,16 @@ REFUSED = [
     ("1 m**9**9**9", "m", "'1 m**9**9**9' cannot be read: '**9' is out of place in the unit."),
     ("1 m^999999999", "m", "'1 m^999999999' cannot be read: the exponent 1e+09 of a unit is too large."),
     ("1 m^13", "m", "'1 m^13' cannot be read: the exponent 13 of a unit is too large."),
-    ("1 m^(1/0)", "m", "'1 m^(1/0)' cannot be read: '0)' cannot be part of a unit."),
-    ("10 mm 5 um", "m", "'10 mm 5 um' cannot be read: '5 um' cannot be part of a unit."),
-    ("1_000 m", "m", "'1_000 m' cannot be read: '_000 m' cannot be part of a unit."),
+    ("1 m^(1/0)", "m", "'1 m^(1/0)' cannot be read: '0)' cannot be part of a unit; " + ONE_NUMBER),
+    ("10 mm 5 um", "m", "'10 mm 5 um' cannot be read: '5 um' cannot be part of a unit; " + ONE_NUMBER),
+    ("1_000 m", "m", "'1_000 m' cannot be read: '_000 m' cannot be part of a unit; " + ONE_NUMBER),
     ("0x10 m", "m", "'0x10 m' cannot be read: the unit 'x' is unknown."),
-    ("1 m;2", "m", "'1 m;2' cannot be read: ';2' cannot be part of a unit."),
+    ("1 m;2", "m", "'1 m;2' cannot be read: ';2' cannot be part of a unit; " + ONE_NUMBER),
     ("1 (m", "m", "'1 (m' cannot be read: a bracket is not closed in the unit."),
     ("1 m)", "m", "'1 m)' cannot be read: a bracket is closed in the unit that was not opened."),
     ("1 m/", "m", "'1 m/' cannot be read: the unit is not complete."),
     ("1 *m", "m", "'1 *m' cannot be read: '*' is out of place in the unit."),
-    ("1 m^", "m", "'1 m^' cannot be read: '^' cannot be part of a unit."),
+    ("1 m^", "m", "'1 m^' cannot be read: '^' cannot be part of a unit; " + ONE_NUMBER),
     ("1 " + "(" * 60 + "m", "m", "'1 " + "(" * 60 + "m' cannot be read: '(' is out of place in the unit."),
     (
         "1 mm^3/N m",

@@ -60,12 +60,13 @@ ASCENT, DESCENT = 0.73, 0.22
 
 
 class Written(NamedTuple):
-    """A text: its rectangle [dots], the size of its letters [pt], and whether its ground hides what is below."""
+    """A text: its rectangle [dots], size of its letters [pt], whether its ground covers what is below, or hides it."""
 
     text: str
     box: Bbox
     size: float
     grounded: bool = True
+    opaque: bool = False
 
 
 class Curve(NamedTuple):
@@ -200,6 +201,9 @@ def _hidden(one: Seen, panels: list[Seen]) -> Iterator[str]:
                 yield f"below the legend: {curve.name!r} {_over(one)}"
     for text in one.notes:
         if text.grounded:
+            for curve, dots in curves if text.opaque else ():
+                if curve.solid and np.sum(_within(dots, text.box)) > HIDDEN * one.box.width:
+                    yield f"below the text {text.text!r}: {curve.name!r} {_over(one)}"
             continue
         box = text.box.padded(-0.25 * min(text.box.height, text.box.width))
         if any(np.sum(_within(dots, box)) > 4 for dots in [*(dots for _, dots in curves), *one.rules]):
@@ -286,16 +290,18 @@ def _of_axes(axes: Any, renderer: Any) -> Seen:
         bool(axes.collections or axes.images or axes.patches),
         [legend.get_window_extent(renderer)] if legend else [],
         [
-            Written(text.get_text(), text.get_window_extent(renderer), text.get_fontsize(), _has_ground(text))
+            Written(text.get_text(), text.get_window_extent(renderer), text.get_fontsize(), *_ground(text))
             for text in axes.texts
             if text.get_text().strip()
         ],
     )
 
 
-def _has_ground(text: Any) -> bool:
+def _ground(text: Any) -> tuple[bool, bool]:
+    """Return whether the ground of a text covers what is below, and whether it hides it."""
     patch = text.get_bbox_patch()
-    return patch is not None and (patch.get_alpha() or 1.0) > 0.5
+    alpha = 0.0 if patch is None else patch.get_alpha() or 1.0
+    return alpha > 0.5, alpha == 1.0
 
 
 def _curve(axes: Any, line: Any) -> Curve:

@@ -30,9 +30,12 @@ first, last = (
     wk.Indentation(wk.Foundation(ball, each), wk.Depth(DEPTH)).solve() for each in (coated.glassy, coated.relaxed)
 )
 left.semilogx(time, 1e6 * held.radius)
-for elastic, name in ((first, "elastic, at first"), (last, "elastic, after all time")):
+for elastic, name, place, side in (
+    (first, "elastic, at first", 20.0, "right"),
+    (last, "elastic, after all time", 1e-4, "left"),
+):
     left.axhline(1e6 * elastic.radius, color="0.6", linestyle="--")
-    left.annotate(name, (1e-4, 1e6 * elastic.radius), va="bottom", bbox={"color": "white", "pad": 0.5})
+    left.annotate(name, (place, 1e6 * elastic.radius), ha=side, va="bottom")
 left.set(xlabel="time since the step [s]", ylabel="contact radius [µm]")
 assert abs(held.radius[-1] / last.radius - 1.0) < 2e-3
 print(f"at one depth the contact widens by {held.radius[-1] / held.radius[0] - 1.0:.0%}")

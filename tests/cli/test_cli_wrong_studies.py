@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import re
 import tomllib
 from pathlib import Path
@@ -209,3 +210,17 @@ def test_an_editor_marks_more_than_half_of_them():
             tables.append(tomllib.loads(spoilt(case)))
     assert len(tables) > 40
     assert sum(not taken(table) for table in tables) > len(tables) / 2  # the others contradict themselves, or a file
+
+
+READERS = ["run", "fit", "draw", "report", "merge", "cite", "table --output law.csv", "export --to c"]
+
+
+@pytest.mark.parametrize("command", READERS)
+def test_no_command_asks_in_words_of_its_own_whether_a_study_can_be_read(command, tmp_path, monkeypatch, capsys):
+    """A study that nobody may read was an "invalid value for 'study'", with the help as its way out."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(os, "access", lambda path, *_: str(path) != "ball.toml")
+    Path("ball.toml").write_text("", encoding="utf-8")
+    name, *options = command.split()
+    assert main([name, "ball.toml", *options]) == 2
+    assert "the study is empty" in capsys.readouterr().err

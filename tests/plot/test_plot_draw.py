@@ -21,6 +21,7 @@ from winkler.media.transverse import TransverselyIsotropicHalfSpace
 from winkler.plot import draw, style
 from winkler.plot.families import bar_sheet, family_sheet
 from winkler.plot.method import method_sheet, pictures_of
+from winkler.plot.normal.outline import profile_panel
 from winkler.plot.render import render
 from winkler.plot.series import series
 from winkler.problems.normal.indentation import Indentation
@@ -29,7 +30,8 @@ from winkler.profiles.conical import Cone, TruncatedCone
 from winkler.profiles.flat import CappedCylinder, FlatPunch
 from winkler.profiles.measured import Measured
 from winkler.profiles.power import Paraboloid, PowerLaw
-from winkler.profiles.sphere import Sphere
+from winkler.profiles.socket import BallInSocket
+from winkler.profiles.sphere import Ellipsoid, Sphere
 from winkler.profiles.wavy import Wavy
 from winkler.values.errors import InvalidInput
 
@@ -342,3 +344,12 @@ def test_colour_blind_readers_distinguish_the_first_curves(vision):
     lab = np.stack([116 * f[:, 1] - 16, 500 * (f[:, 0] - f[:, 1]), 200 * (f[:, 1] - f[:, 2])], axis=-1)
     apart = [np.linalg.norm(lab[i] - lab[j]) for i in range(5) for j in range(i)]
     assert min(apart) > 12.0  # a difference of 2.3 is just noticeable
+
+
+@pytest.mark.parametrize("body", [Sphere(1e-5), Ellipsoid(1e-5, 2e-5), BallInSocket(1e-5, 2e-5)])
+def test_a_ball_pressed_to_its_equator_is_drawn_without_a_warning(body):
+    """At the equator the plane profile is infinite: the division was reported on the terminal of a user."""
+    pressed = solved(body, Depth(2.5e-5))
+    for sheet in (method_sheet("springs", pressed), profile_panel(body, 2.0 * body.reach)):
+        assert sheet
+    assert pressed.radius > 0.8 * body.reach

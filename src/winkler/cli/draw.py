@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from winkler.cli.options import Settings, completion, refuse_existing
+from winkler.cli.options import Settings, StudyFile, completion, refuse_existing
 from winkler.cli.streams import write_line
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ PARTS = {
 
 
 def draw(
-    study: Annotated[Path, typer.Argument(help="A study file (TOML).", show_default=False)],
+    study: StudyFile,
     output: Annotated[
         Path | None,
         typer.Option(

@@ -14,7 +14,7 @@ __all__ = ["export"]
 
 
 def export(
-    study: Annotated[Path, typer.Argument(help="A study of a contact law (TOML).", show_default=False)],
+    study: Annotated[Path, typer.Argument(help="A study of a contact law.", show_default=False, readable=False)],
     to: Annotated[str, typer.Option("--to", help="The language.", show_default=False)],
     output: Annotated[Path, typer.Option("--output", "-o", help="Folder of the files.")] = Path(),
     name: Annotated[str, typer.Option(help="With which functions and types begin.")] = "contact",

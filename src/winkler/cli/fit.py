@@ -34,6 +34,7 @@ def fit(
         typer.Argument(
             help=r"A study file (TOML) with \[fit], \[indentation] or \[calibration], or of held contacts.",
             show_default=False,
+            readable=False,
         ),
     ],
     output: Output = None,

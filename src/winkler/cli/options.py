@@ -11,18 +11,6 @@ import typer
 if TYPE_CHECKING:
     from winkler.study.batch.pool import Workers
 
-__all__ = [
-    "AsJson",
-    "ClusterAddress",
-    "Output",
-    "Overwrite",
-    "Quiet",
-    "Settings",
-    "completion",
-    "refuse_existing",
-    "stated_workers",
-]
-
 Output = Annotated[
     Path | None,
     typer.Option("--output", "-o", help="Folder of the results; results/NAME unless the study states another one."),
@@ -47,6 +35,7 @@ ClusterAddress = Annotated[
         help="Address of a dask scheduler whose workers do it; given up after 60 s without a worker.",
     ),
 ]
+StudyFile = Annotated[Path, typer.Argument(help="A study file (TOML).", show_default=False, readable=False)]
 
 
 def stated_workers(command: str, workers: int | None, cluster: str) -> Workers:

@@ -8,14 +8,14 @@ from typing import Annotated
 
 import typer
 
-from winkler.cli.options import Settings, refuse_existing
+from winkler.cli.options import Settings, StudyFile, refuse_existing
 from winkler.cli.streams import write_line
 
 __all__ = ["report"]
 
 
 def report(
-    study: Annotated[Path, typer.Argument(help="A study file (TOML) of a problem.", show_default=False)],
+    study: StudyFile,
     output: Annotated[
         Path | None,
         typer.Option("--output", "-o", help="The page; NAME.html, or NAME.pdf, if not given.", show_default=False),

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
-from winkler.cli.options import AsJson, ClusterAddress, Output, Overwrite, Quiet, Settings, stated_workers
+from winkler.cli.options import AsJson, ClusterAddress, Output, Overwrite, Quiet, Settings, StudyFile, stated_workers
 from winkler.cli.results import resumed, verdict_json, write_outcome_json
 from winkler.cli.streams import until_closed, write_line
 
@@ -26,7 +26,7 @@ EXPECTATION_MISSED = 1
 
 
 def run(
-    study: Annotated[Path, typer.Argument(help="A study file (TOML).", show_default=False)],
+    study: StudyFile,
     output: Output = None,
     settings: Settings = None,
     overwrite: Overwrite = False,
@@ -98,7 +98,7 @@ def run(
 
 
 def merge(
-    study: Annotated[Path, typer.Argument(help="A study file (TOML) with a sweep.", show_default=False)],
+    study: StudyFile,
     output: Output = None,
     settings: Settings = None,
     overwrite: Overwrite = False,

@@ -14,7 +14,7 @@ __all__ = ["table"]
 
 
 def table(
-    study: Annotated[Path, typer.Argument(help="A study of an indentation (TOML).", show_default=False)],
+    study: Annotated[Path, typer.Argument(help="A study of an indentation.", show_default=False, readable=False)],
     output: Annotated[Path, typer.Option("--output", "-o", help="The table: .csv or .json.", show_default=False)],
     tolerance: Annotated[float, typer.Option(help="Error of the interpolated force, over the greatest force.")] = 1e-6,
     overwrite: Annotated[bool, typer.Option("--overwrite", "--yes", "-y", help="Replace an existing table.")] = False,

@@ -255,7 +255,7 @@ def springs_of(solution: Restorable | Dragged | SelfRestoring | TorsionState) ->
     if not is_restorable(solution):
         raise InvalidInput(
             f"restore: a {type(solution).__name__} holds no springs; give a solution for one load, or one state of a "
-            "path: solution.at(0)."
+            "path: solution.at(0), or one of the states that problem.steps() yields."
         )
     return solution.pressed
 

@@ -201,7 +201,8 @@ def _tokens(text: str) -> list[tuple[str, str]]:
     while place < len(text):
         match = TOKEN.match(text, place)
         if match is None:
-            raise Unreadable(f"'{text[place:].strip()}' cannot be part of a unit")
+            rest = text[place:].strip()
+            raise Unreadable(f"'{rest}' cannot be part of a unit; write one number, then its unit, as '2.1e5 MPa'")
         tokens.append((str(match.lastgroup), match[str(match.lastgroup)]))
         place = match.end()
     return tokens[::-1]

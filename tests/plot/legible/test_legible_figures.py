@@ -54,6 +54,7 @@ def test_a_legend_covers_no_curve(wanted):
         (lambda axes: axes.fill_between([0.0, 1.0], 0.0, 0.004), "thin: "),
         (lambda axes: (axes.lines[0].set_label("curve"), axes.legend(loc="upper right")), "below the legend: 'curve'"),
         (lambda axes: axes.text(0.45, 0.48, "here"), "struck through: 'here'"),
+        (lambda axes: axes.text(0.45, 0.48, "here", bbox={"color": "white"}), "below the text 'here'"),
     ],
 )
 def test_each_fault_is_found(spoil, fault):

@@ -23,7 +23,7 @@ from winkler.plot.render import render
 from winkler.plot.series import Scale
 from winkler.plot.svg.letters import OF, runs_of, width_of
 from winkler.plot.svg.pixels import Colours, stops_of
-from winkler.plot.svg.scales import round_steps
+from winkler.plot.svg.scales import Side, round_steps, ticks_of
 from winkler.plot.svg.sheet import drawing_of
 from winkler.values.errors import InvalidInput
 from winkler.values.vocabulary import GLOSSARY
@@ -184,6 +184,17 @@ def test_ticks_are_round_and_as_many_as_there_is_room_for(seed):
         assert places.min() >= low - 1e-9 * wide
         assert places.max() <= low + wide * (1.0 + 1e-9)
         assert places.size == 1 or (low - places[0] + step > 0.0 and places[-1] + step > low + wide - 1e-9 * wide)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_an_axis_however_short_has_two_numbers(seed):
+    """The residuals of compared models stood beside a zero alone."""
+    rng = np.random.default_rng(seed)
+    least, wide = rng.normal(), 10.0 ** rng.uniform(-3.0, 4.0)
+    for low, high, length in ((least, least + wide, 12.0), (-wide, wide, 20.0), (-0.9 * wide, 0.3 * wide, 30.0)):
+        for axis in (PanelAxis("residual"), PanelAxis("residual", parts=3)):
+            side = Side(low, high + 2.0 * axis.parts, False, 0.0, length)
+            assert ticks_of(axis, side, 9.0, across=False).places.size >= 2
 
 
 def test_equal_scales_are_equal():

@@ -132,7 +132,7 @@ def test_second_body_and_refusals():
         contact.pressure(math.nan, 0.0)
     with pytest.raises(wk.OutsideValidity, match="do not touch"):
         pressed(2e-3, 1e-3, 0.0).stresses(0.0, 0.0, 1e-5)
-    with pytest.raises(wk.OutsideValidity, match="rigid or not isotropic"):
+    with pytest.raises(wk.OutsideValidity, match="rigid, layered or not isotropic.*SurfaceContact"):
         pressed(2e-3, 1e-3, medium=wk.HalfSpace(wk.Elastic(1e9, 0.3))).stresses(0.0, 0.0, -1e-5)
     many = wk.EllipticIndentation(wk.CurvedBodies(2e-3, 1e-3), PAIR, wk.Force([1.0, 100.0])).solve()
     with pytest.raises(wk.InvalidInput, match="holds 2 loads"):

@@ -104,6 +104,11 @@ def test_the_load_of_the_model_does_not_matter(here):
         ('part = "approach"', 'part = "approach"\nnoise = "10 pm"', "fit.noise"),
         ('part = "approach"', 'part = "approach"\ncorrect = ["basline"]', "did you mean 'baseline'"),
         ("first.young", "fist.young", "did you mean 'first'"),
+        (
+            '"problem.bed.medium.first.young"',
+            "problem.bed.medium.first.young",
+            "'problem.' and stands in quotes",
+        ),
         ("first.young", "first.youngs", "did you mean 'young'"),
         ("first.young", "first", "is no finite number"),
         ('"10 Pa", "10 MPa"', '"10 Pa", "10 mm"', 'first.young"[1]'),

@@ -12,6 +12,7 @@ from winkler.profiles.measured import Measured
 from winkler.profiles.profile import Profile
 
 
+@np.errstate(divide="ignore", invalid="ignore")  # g is infinite at the equator of a ball
 def profile_panel(profile: Profile, extent: float) -> Panel:
     """Return f(r) and g(x) of a shape, and the points of a measured one.
 

@@ -71,6 +71,7 @@ class DrawnSprings(NamedTuple):
     strength: Array
 
 
+@np.errstate(divide="ignore", invalid="ignore")  # g is infinite at the equator of a ball
 def plane_profile(bed: Bed, end: float) -> tuple[Series, Series]:
     """Return x and g(x) from the axis to `end` [m], or to the end of the bed.
 

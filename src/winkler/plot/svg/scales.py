@@ -147,8 +147,12 @@ def ticks_of(one: PanelAxis, side: Side, size: float, *, across: bool, parts: in
     if one.log:
         return _decades(one, side, one.parts)
     low, high = sorted((side.low, side.high))
-    most = MOST_TICKS_ACROSS if across else int(np.clip(side.length // (2.0 * size), 1, MOST_TICKS))
-    places = round_steps(low, high, one.parts or parts or most, whole=bool(one.parts))
+    room = MOST_TICKS_ACROSS if across else int(np.clip(side.length // (2.0 * size), 1, MOST_TICKS))
+    start = one.parts or parts or room
+    for most in range(start, start + 5):
+        places = round_steps(low, high, most, whole=bool(one.parts))
+        if places.size > 1:  # one number alone is no scale
+            break
     return _labelled(places)
 
 

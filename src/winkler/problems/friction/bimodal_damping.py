@@ -122,7 +122,7 @@ class BimodalDamping(PerLoad[Q]):
 
     Examples
     --------
-    In phase a ball that does not slide loses nothing; a quarter of a cycle apart it loses most.
+    In phase a cone that does not slide loses nothing; a quarter of a cycle apart it loses most.
 
     >>> from winkler.foundation.foundation import Foundation
     >>> from winkler.materials.elastic import Elastic

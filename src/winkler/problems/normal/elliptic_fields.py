@@ -71,8 +71,9 @@ def solid_below(medium: object, below: bool) -> Elastic:
     body = getattr(medium, "first" if below else "second", None) if isinstance(medium, HalfSpace) else None
     if not isinstance(body, Elastic):
         raise OutsideValidity(
-            f"The {'first body (z >= 0)' if below else 'second body (z < 0)'} is rigid or not isotropic; the stresses "
-            "are known in the isotropic bodies of a HalfSpace: request the other one."
+            f"The {'first body (z >= 0)' if below else 'second body (z < 0)'} is rigid, layered or not isotropic; the "
+            "stresses are known in the isotropic bodies of a HalfSpace: request the other body, or on layers take a "
+            "SurfaceContact."
         )
     return body
 

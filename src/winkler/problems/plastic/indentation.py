@@ -258,7 +258,7 @@ def _large(wide: float) -> Note:
     return Note(
         Assumption.SMALL_SLOPES,
         Standing.APPROXIMATE if error < 0.3 else Standing.OUTSIDE,
-        f"The contact radius is {wide:.2g} times the radius of the ball, beyond the limit of small slopes. At "
+        f"The contact radius is {wide:.2g} times the radius of the ball, and the tables assume small slopes. At "
         f"this contact radius a flattened ball carries up to {100.0 * error:.2g} % less, and a dented plane more. "
         "At 0.2 times the radius of the ball the restitution is 2 to 4 % lower.",
         "finite elements of this package with large displacements; R. L. Jackson, I. Green, J. Tribol. 127 (2005) "

@@ -87,7 +87,7 @@ class RoughContact(PerLoad[Q]):
     Raises
     ------
     InvalidInput
-        If a number is out of range, or the medium is not homogeneous.
+        If a number is out of range, or the medium relaxes.
 
     References
     ----------

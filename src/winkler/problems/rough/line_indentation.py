@@ -64,7 +64,7 @@ class RoughIndentation(PerLoad[Q]):
     Raises
     ------
     InvalidInput
-        If a number is out of range, or the medium is not homogeneous.
+        If a number is out of range, or the medium relaxes.
 
     References
     ----------

@@ -13,7 +13,7 @@ from winkler.numerics.types import Array
 from winkler.study.language import keys
 from winkler.study.language.build import assembled, unbuild, written_field, written_number
 from winkler.study.language.designs import DESIGNS, Design
-from winkler.study.language.varied import Axis, Range
+from winkler.study.language.varied import Axis, Range, check_path
 from winkler.values.errors import InvalidInput, suggest
 
 
@@ -72,11 +72,10 @@ def line(key: str, raw: Any, problem: Any, of: Design, *, file: str, folder: Pat
     InvalidInput
         If there is no such key, or it cannot take one of the values.
     """
-    first, _, rest = key.partition(".")
+    rest = key.partition(".")[2]
     if key == "together":
         raise InvalidInput("sweep: 'together' is not known; write design = { kind = \"zipped\" }.")
-    if first != "problem" or not rest:
-        raise InvalidInput(f"sweep: the key '{key}' does not start with 'problem.'; sweep a key of the problem.")
+    check_path(key)
     try:
         target = _Target(problem, rest)
     except InvalidInput as error:

@@ -251,7 +251,7 @@ def _free(key: str, raw: Any, problem: Any) -> Free:
     elif not plain.startswith("problem."):
         hint = suggest(key, curves)
         raise InvalidInput(
-            f"{where} is neither a key of the problem, which begins with 'problem.', nor one of "
+            f"{where} is neither a key of the problem, which begins with 'problem.' and stands in quotes, nor one of "
             f"{', '.join(curves)}{hint}."
         )
     else:

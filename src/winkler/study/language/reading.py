@@ -185,7 +185,7 @@ def parsed(text: str, file: str) -> dict[str, Any]:
     try:
         raw = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise InvalidInput(f"{_at(file)}this is not TOML: {_lowered(str(error))}.") from None
+        raise InvalidInput(f"{_at(file)}this is not TOML: {_told(str(error))}.") from None
     except ValueError:  # Python turns at most 4300 digits into a whole number
         raise InvalidInput(f"{_at(file)}a number has thousands of digits; write it as 1e9.") from None
     except RecursionError:
@@ -238,7 +238,10 @@ def _at(file: str) -> str:
     return f"{file}: " if file else ""
 
 
-def _lowered(sentence: str) -> str:
+def _told(sentence: str) -> str:
+    """Return what the reader of TOML found, in words for those who do not know it."""
+    sentence = sentence.replace("Cannot overwrite a value", "the key is given twice")
+    sentence = sentence.replace(r"Illegal character '\n'", "a quote is not closed")
     return sentence[:1].lower() + sentence[1:].rstrip(".")
 
 

@@ -15,9 +15,10 @@ SCALES = ("linear", "log")
 """Scales on which a range is covered evenly."""
 
 
-def _checked(key: str) -> None:
+def check_path(key: str) -> None:
+    """Refuse a key that is not a path from the problem on, as one that was written without quotes."""
     if not key.startswith("problem."):
-        raise InvalidInput(f"sweep: the key '{key}' does not start with 'problem.'; sweep a key of the problem.")
+        raise InvalidInput(f"sweep: the key '{key}' does not start with 'problem.'; write its whole path in quotes.")
 
 
 @value
@@ -39,7 +40,7 @@ class Axis:
     def __post_init__(self) -> None:
         if isinstance(self.values, np.ndarray):
             object.__setattr__(self, "values", tuple(float(number) for number in self.values.ravel()))
-        _checked(self.key)
+        check_path(self.key)
         if len(self.values) == 0:
             raise InvalidInput(f"sweep: '{self.key}' has no values; give at least one.")
 
@@ -75,7 +76,7 @@ class Range:
     scale: str = "linear"
 
     def __post_init__(self) -> None:
-        _checked(self.key)
+        check_path(self.key)
         if not (math.isfinite(self.start) and math.isfinite(self.stop) and self.start != self.stop):
             raise InvalidInput(
                 f"sweep: '{self.key}' is drawn from {self.start:g} to {self.stop:g}; give two finite numbers that "

@@ -81,7 +81,7 @@ def _changed(raw: dict[str, Any], changes: dict[str, Any]) -> dict[str, Any]:
         raise InvalidInput("nothing is changed; give keys of the problem that differ, or free numbers.")
     for key, content in changes.items():
         if not key.startswith("problem."):
-            raise InvalidInput(f"'{key}' is no key of the problem, which begins with 'problem.'; only 'free' is else.")
+            raise InvalidInput(f"'{key}' is no key of the problem, as \"problem.load\" in quotes, and not 'free'.")
         _put(raw, re.sub(r"\[(\d+)\]", r".\1", key).split("."), content, key)
     return raw
 
