@@ -22,8 +22,10 @@ from winkler.values.errors import NotConverged
 
 GAMMA = 1.0 - math.sqrt(0.5)
 MOST_TRIALS = 20
-STAGE_TOLERANCE = 1e-8
-"""Part of the greatest rate to which a stage is met; the rates themselves are returned, so that nothing is lost."""
+STAGE_TOLERANCE, SETTLED_TOLERANCE = 1e-8, 1e-6
+"""Parts of the greatest rate to which a stage is met, the second where one more Newton step leaves it there: rounding.
+
+The rates themselves are returned, so that nothing is lost."""
 STEP_SHARES = (1.0, 0.5, 0.25, 0.1, 0.03)
 """Of a Newton step, tried in turn."""
 SUFFICIENT_REDUCTION = 0.3
@@ -101,14 +103,16 @@ def _stage(system: StiffSystem, base: Array, near: Array, inner: float) -> tuple
         return float(system.weights @ (there - rates) ** 2), rates, there
 
     misfit, rates, there = min((met(guess) for guess in (near, system.guess(base, near, inner))), key=lambda m: m[0])
-    slopes = None
+    slopes, close = None, False
     for _ in range(MOST_TRIALS):
-        if float(np.max(np.abs(there - rates))) <= STAGE_TOLERANCE * float(np.max(there)):
+        missed, most = float(np.max(np.abs(there - rates))), float(np.max(there))
+        if missed <= (SETTLED_TOLERANCE if close else STAGE_TOLERANCE) * most:
             return there, slopes
+        close = missed <= SETTLED_TOLERANCE * most
         changing, rows = slopes = system.slopes(base + inner * rates)
         change = -rates
         change[changing] = _solved(changing, rows, inner, (there - rates)[changing], change)
-        tried = []
+        tried = [(misfit, rates, there)] if close else []
         for share in STEP_SHARES:
             tried.append(met(np.maximum(rates + share * change, 0.0)))
             if tried[-1][0] <= SUFFICIENT_REDUCTION * misfit:
