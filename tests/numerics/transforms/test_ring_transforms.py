@@ -8,7 +8,7 @@ import pytest
 
 from winkler.numerics.transforms.graded_abel import gap as graded_gap
 from winkler.numerics.transforms.graded_abel import surface as graded_surface
-from winkler.numerics.transforms.grid_transforms import Cuts, SurfaceTransform
+from winkler.numerics.transforms.grid_transforms import SurfaceTransform, cuts_of
 from winkler.numerics.transforms.ring_transforms import RingTransforms
 
 NODES = np.concatenate([np.linspace(0.0, 0.5, 31)[:-1], 0.5 + np.linspace(0.0, 1.0, 41) ** 2])
@@ -22,9 +22,9 @@ def test_a_paraboloid_is_exact(k):
     np.testing.assert_allclose(gap, NODES**2 / (1.0 + k), rtol=1e-12, atol=1e-15)
     # theory, section 8.1, in units of E* / c_0^k
     stretch = 0.4 - gap
-    cut = Cuts(rings.squares, stretch)
+    cut = cuts_of(rings.squares, stretch)
     a = math.sqrt(0.4 * (1.0 + k))
-    assert math.sqrt(cut.edge) == pytest.approx(a, rel=1e-14)
+    assert math.sqrt(cut[-1].place) == pytest.approx(a, rel=1e-14)
     assert 2.0 * rings.integral(stretch, cut) == pytest.approx(
         4.0 * a ** (k + 3.0) / ((1.0 + k) ** 2 * (k + 3.0)), rel=1e-12
     )
@@ -32,7 +32,7 @@ def test_a_paraboloid_is_exact(k):
     beyond = 4.0 / ((1.0 + k) ** 2 * (k + 3.0)) * np.maximum(a * a - rings.borders, 0.0) ** (0.5 * (3.0 + k))
     loads = -np.diff(np.append(beyond, 0.0))
     np.testing.assert_allclose(rings.borne(stretch, cut) * rings.areas, loads, atol=1e-13)
-    shown = SurfaceTransform(rings)(gap, Cuts(rings.squares, gap))
+    shown = SurfaceTransform(rings)(gap, cuts_of(rings.squares, gap))
     np.testing.assert_allclose(shown, height, rtol=1e-11, atol=1e-15)
 
 
@@ -50,7 +50,7 @@ def test_other_shapes_converge(k):
         here = np.rint(x / nodes[1]).astype(int)
         gap = rings.gap @ (nodes**4 - 0.5 * nodes**6)
         values = np.cos(nodes)
-        shown = SurfaceTransform(rings)(values, Cuts(rings.squares, values))
+        shown = SurfaceTransform(rings)(values, cuts_of(rings.squares, values))
         misses.append([np.max(np.abs(gap[here] - expected)), np.max(np.abs(shown[here] - back))])
     orders = np.log2(np.array(misses[:-1]) / np.array(misses[1:]))
     assert np.all(orders > [0.95 * 0.5 * (3.0 + k), 1.8])
@@ -62,7 +62,7 @@ def test_what_is_cut_off_within_a_cell_is_cut_off_there():
     coarse, fine = np.array([0.0, 1.0, 2.0]), np.sqrt(np.array([0.0, 0.25, 1.0, 1.75, 3.25, 4.0]))
     values, more = (np.interp(nodes**2, [0.0, 1.0, 4.0], [1.0, -2.0, 1.0]) for nodes in (coarse, fine))
     one, other = RingTransforms(coarse, 0.0), RingTransforms(fine, 0.0)
-    first, second = Cuts(one.squares, values), Cuts(other.squares, more)
+    first, second = cuts_of(one.squares, values), cuts_of(other.squares, more)
     assert one.integral(values, first) == pytest.approx(other.integral(more, second), rel=1e-13)
     # the same by numbers, and how much of the line is pressed: x^2 falls through zero at 1/3 and rises through it at 3
     assert one.pressed(values) == pytest.approx(other.pressed(more), rel=1e-13)
@@ -81,7 +81,7 @@ def test_the_mean_pressure_of_a_ring_is_an_integral():
     nodes = np.array([0.0, 0.5, 1.0, 1.5])
     values = np.array([1.0, 0.8, 0.3, 0.0])
     rings = RingTransforms(nodes, 0.0)
-    cut = Cuts(rings.squares, values)
+    cut = cuts_of(rings.squares, values)
     y = rings.squares
 
     def pressure(r):

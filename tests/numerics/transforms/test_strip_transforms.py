@@ -6,7 +6,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from winkler.numerics.transforms.grid_transforms import Cuts, SurfaceTransform
+from winkler.numerics.transforms.grid_transforms import SurfaceTransform, cuts_of
 from winkler.numerics.transforms.strips.strip_transforms import StripTransforms
 
 NODES = np.concatenate([np.linspace(0.0, 0.5, 31)[:-1], 0.5 + np.linspace(0.0, 1.0, 41) ** 2])
@@ -18,9 +18,9 @@ def test_a_parabolic_cylinder_is_exact():
     load = STRIPS.gap @ (0.5 * NODES**2)
     np.testing.assert_allclose(load, 0.25 * math.pi * NODES**2, rtol=1e-12, atol=1e-15)
     stretch = 0.4 - load
-    cut = Cuts(STRIPS.squares, stretch)
+    cut = cuts_of(STRIPS.squares, stretch)
     a = math.sqrt(1.6 / math.pi)
-    assert math.sqrt(cut.edge) == pytest.approx(a, rel=1e-14)
+    assert math.sqrt(cut[-1].place) == pytest.approx(a, rel=1e-14)
     inside = np.minimum(STRIPS.borders, a)
     beyond = 0.5 * (a * a * np.arccos(inside / a) - inside * np.sqrt(a * a - inside**2))
     borne = STRIPS.borne(stretch, cut) * STRIPS.areas
@@ -31,7 +31,7 @@ def test_a_parabolic_cylinder_is_exact():
 def test_the_distance_beside_a_narrower_cylinder_is_exact():
     c = 0.3
     lacking = 0.25 * math.pi * (NODES**2 - c * c)
-    found = SurfaceTransform(STRIPS)(lacking, Cuts(STRIPS.squares, lacking))
+    found = SurfaceTransform(STRIPS)(lacking, cuts_of(STRIPS.squares, lacking))
     x = np.maximum(NODES, c)
     root = np.sqrt((x - c) * (x + c))
     np.testing.assert_allclose(found, 0.5 * (x * root - c * c * np.arcsinh(root / c)), atol=1e-14)
@@ -39,7 +39,7 @@ def test_the_distance_beside_a_narrower_cylinder_is_exact():
 
 def test_a_flat_pad_bears_as_sadowsky_found():
     even = np.ones(NODES.size)
-    borne = STRIPS.borne(even, Cuts(STRIPS.squares, even)) * STRIPS.areas
+    borne = STRIPS.borne(even, cuts_of(STRIPS.squares, even)) * STRIPS.areas
     beyond = 2.0 / math.pi * np.arccos(np.append(STRIPS.borders, NODES[-1]) / NODES[-1])
     np.testing.assert_allclose(borne, -np.diff(beyond), atol=1e-14)
 
@@ -64,7 +64,7 @@ def test_what_is_cut_off_within_a_cell_is_cut_off_there():
     coarse, fine = np.array([0.0, 1.0, 2.0]), np.sqrt(np.array([0.0, 0.25, 1.0, 1.75, 3.25, 4.0]))
     values, more = (np.interp(nodes**2, [0.0, 1.0, 4.0], [1.0, -2.0, 1.0]) for nodes in (coarse, fine))
     one, other = StripTransforms(coarse), StripTransforms(fine)
-    first, second = Cuts(one.squares, values), Cuts(other.squares, more)
+    first, second = cuts_of(one.squares, values), cuts_of(other.squares, more)
     totals = [np.sum(s.borne(v, cut) * s.areas) for s, v, cut in ((one, values, first), (other, more, second))]
     assert totals == pytest.approx([1.0, 1.0], rel=1e-12)
 

@@ -9,7 +9,7 @@ import pytest
 from scipy.special import betainc
 
 import winkler as wk
-from winkler.numerics.transforms.grid_transforms import Cuts, SurfaceTransform
+from winkler.numerics.transforms.grid_transforms import SurfaceTransform, cuts_of
 from winkler.numerics.transforms.strips.strip_transforms import StripTransforms
 
 RADIUS, LOAD, MU = 0.6, 1e4, 0.5
@@ -50,8 +50,8 @@ def test_the_grid_sums_up_what_integrals_do(k):
         assert float(grid.gap[row] @ height) == pytest.approx(1.3 * float(slopes[:row] @ parts), rel=1e-7)
 
     lacking = np.array([1.0, 0.7, 0.2, -0.4, -1.0])  # it passes zero at the edge
-    cut, falls = Cuts(grid.squares, lacking), -np.diff(lacking) / np.diff(nodes**2)
-    edge = math.sqrt(cut.edge)
+    cut, falls = cuts_of(grid.squares, lacking), -np.diff(lacking) / np.diff(nodes**2)
+    edge = math.sqrt(cut[-1].place)
     cells = list(zip(falls.tolist(), nodes.tolist(), [*nodes[1:3].tolist(), edge], strict=False))
     beyond = [
         sum(
@@ -70,7 +70,7 @@ def test_the_grid_sums_up_what_integrals_do(k):
         inner = (0.25 / np.sqrt(c[:, None] ** 2 + square * u ** (1.0 / (1.0 - q)))) @ WEIGHT
         return square[:, 0] ** (1.0 - q) / (1.0 - q) * inner
 
-    surface, cut = SurfaceTransform(grid)(-lacking, Cuts(grid.squares, -lacking)), [edge, 0.9, 1.4]
+    surface, cut = SurfaceTransform(grid)(-lacking, cuts_of(grid.squares, -lacking)), [edge, 0.9, 1.4]
     for row in (3, 4):
         x = float(nodes[row])
         opened = sum(
@@ -86,7 +86,7 @@ def test_the_first_state_is_the_contact_before_wear(k):
     x = np.linspace(0.0, 1.5 * a, 200)
     contact, grid = bed(k), bed(k).grid_transforms(x)
     lacking = LOAD / contact.medium.modulus - contact.load_profile(x)
-    borne = contact.medium.modulus * grid.borne(lacking, Cuts(grid.squares, lacking))
+    borne = contact.medium.modulus * grid.borne(lacking, cuts_of(grid.squares, lacking))
     means = contact.mean_pressures(np.append(grid.borders, x[-1]), a, 0.0)
     np.testing.assert_allclose(borne, means, atol=2e-3 * means[0])
     worn = wk.LineSlidingWear(contact, wk.Archard(1e-13), wk.LineForce(LOAD), [0.0, 10.0]).solve()

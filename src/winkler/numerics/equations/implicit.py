@@ -22,8 +22,10 @@ from winkler.values.errors import NotConverged
 
 GAMMA = 1.0 - math.sqrt(0.5)
 MOST_TRIALS = 20
-STAGE_TOLERANCE = 1e-6
-"""Part of the greatest rate to which a stage is met; the rates themselves are returned, so that nothing is lost."""
+STAGE_TOLERANCE, SETTLED_TOLERANCE = 1e-8, 1e-6
+"""Parts of the greatest rate to which a stage is met, the second where one more Newton step leaves it there: rounding.
+
+The rates themselves are returned, so that nothing is lost."""
 STEP_SHARES = (1.0, 0.5, 0.25, 0.1, 0.03)
 """Of a Newton step, tried in turn."""
 SUFFICIENT_REDUCTION = 0.3
@@ -75,12 +77,12 @@ def implicit_step(system: StiffSystem, start: Array, first: Array, length: float
         If a stage is not met: take a shorter step.
     """
     inner = GAMMA * length
-    one = _stage(system, start, first, inner)
+    one, _ = _stage(system, start, first, inner)
     base = start + (length - inner) * one
-    two = _stage(system, base, one, inner)
+    two, slopes = _stage(system, base, one, inner)
     end = base + inner * two
     raw = step_error(start, end, first, two, length)
-    changing, rows = system.slopes(end)
+    changing, rows = slopes or system.slopes(end)
     error = raw.copy()
     error[changing] = _solved(changing, rows, inner, raw[changing], raw)
     return ImplicitStep(end, two, error)
@@ -93,21 +95,24 @@ def _solved(changing: Array, rows: Array, inner: float, right: Array, rates_know
     return np.asarray(np.linalg.solve(matrix, right + inner * (rows[:, others] @ rates_known[others])))
 
 
-def _stage(system: StiffSystem, base: Array, near: Array, inner: float) -> Array:
-    """Return the rates of an implicit stage: k = f(base + gamma h k)."""
+def _stage(system: StiffSystem, base: Array, near: Array, inner: float) -> tuple[Array, tuple[Array, Array] | None]:
+    """Return the rates of an implicit stage, k = f(base + gamma h k), and the slopes last used, if any were."""
 
     def met(rates: Array) -> tuple[float, Array, Array]:
         there = system.rates(base + inner * rates)
         return float(system.weights @ (there - rates) ** 2), rates, there
 
     misfit, rates, there = min((met(guess) for guess in (near, system.guess(base, near, inner))), key=lambda m: m[0])
+    slopes, close = None, False
     for _ in range(MOST_TRIALS):
-        if float(np.max(np.abs(there - rates))) <= STAGE_TOLERANCE * float(np.max(there)):
-            return there
-        changing, rows = system.slopes(base + inner * rates)
+        missed, most = float(np.max(np.abs(there - rates))), float(np.max(there))
+        if missed <= (SETTLED_TOLERANCE if close else STAGE_TOLERANCE) * most:
+            return there, slopes
+        close = missed <= SETTLED_TOLERANCE * most
+        changing, rows = slopes = system.slopes(base + inner * rates)
         change = -rates
         change[changing] = _solved(changing, rows, inner, (there - rates)[changing], change)
-        tried = []
+        tried = [(misfit, rates, there)] if close else []
         for share in STEP_SHARES:
             tried.append(met(np.maximum(rates + share * change, 0.0)))
             if tried[-1][0] <= SUFFICIENT_REDUCTION * misfit:

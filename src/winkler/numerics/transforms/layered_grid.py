@@ -18,7 +18,7 @@ import numpy as np
 
 from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.transforms.cosine_transform import WaveResponse, has_tail
-from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms
+from winkler.numerics.transforms.grid_transforms import CutCell, GridTransforms, cuts_of
 from winkler.numerics.types import Array
 
 FEWEST_POINTS, MORE_POINTS, MOST_POINTS = 3, 12, 96
@@ -101,39 +101,40 @@ class LayeredGrid(GridTransforms):
         matrix[:, 1:] += np.add.reduceat(samples * later, starts, axis=1)
         return matrix
 
-    def _alike(self, values: Array, cut: Cuts) -> tuple[Array, Cuts, Array]:
+    def _alike(self, values: Array, cuts: list[CutCell]) -> tuple[Array, list[CutCell], Array]:
         """Return the springs without layers that press alike: those of which the positive part counts, and the rest."""
-        rest = self._spread @ np.maximum(values, 0.0) + self.missed_load(cut)
+        rest, alike = self._spread @ np.maximum(values, 0.0) + self.missed_load(cuts), []
         scaled = self.edge * values
-        scaled_cut = Cuts(self.squares, scaled)
-        # the rest stands still where no spring is pressed, and reaches beyond no edge
-        rise, wide = np.diff(rest)[scaled_cut.cells], scaled_cut.wide
-        scaled_cut.slope = scaled_cut.slope - np.divide(rise, wide, out=np.zeros(wide.size), where=wide > 0.0)
-        scaled_cut.cut_slope = scaled_cut.cut_slope - rise / (scaled_cut.stop - scaled_cut.start)
-        return scaled, scaled_cut, rest
+        for cut in cuts_of(self.squares, scaled):
+            # the rest stands still where no spring is pressed, and reaches beyond no edge
+            rise, wide = rest.item(cut.cell + 1) - rest.item(cut.cell), cut.grown(cut.start, cut.place, cut.stop)
+            slope, by_nodes = rise / wide if wide > 0.0 else 0.0, rise / (cut.stop - cut.start)
+            alike.append(cut._replace(slope=cut.slope - slope, cut_slope=cut.cut_slope - by_nodes))
+        return scaled, alike, rest
 
-    def line_load(self, values: Array, cut: Cuts) -> Array:
+    def line_load(self, values: Array, cuts: list[CutCell]) -> Array:
         """Return q [m] at the nodes: the springs without layers that press as springs values+ do on them."""
-        return np.asarray(self.own @ np.maximum(values, 0.0) - self.missed_load(cut))
+        return np.asarray(self.own @ np.maximum(values, 0.0) - self.missed_load(cuts))
 
-    def missed_load(self, cut: Cuts) -> Array:
+    def missed_load(self, cuts: list[CutCell]) -> Array:
         """Return what springs outside give each other in cells of a cut [m], beyond what nodes alone do."""
-        return np.asarray(self._near[:, cut.cells] @ self.plain.missed(cut))
+        return np.asarray(self._near[:, [cut.cell for cut in cuts]] @ self.plain.missed(cuts))
 
-    def missed_hold(self, cut: Cuts) -> Array:
+    def missed_hold(self, cuts: list[CutCell]) -> Array:
         """Return what a transform gives those farther out in cells of a cut [m], beyond what nodes alone do."""
-        return np.asarray(self._held_near[:, cut.cells] @ self.plain.missed(cut))
+        return np.asarray(self._held_near[:, [cut.cell for cut in cuts]] @ self.plain.missed(cuts))
 
-    def borne(self, values: Array, cut: Cuts) -> Array:
+    def borne(self, values: Array, cuts: list[CutCell]) -> Array:
         """As `GridTransforms.borne`, over E* of the uppermost layer."""
-        scaled, scaled_cut, rest = self._alike(values, cut)
-        beyond = np.append(self.plain.outside @ rest, 0.0)
-        return np.asarray(self.plain.borne(scaled, scaled_cut) + np.diff(beyond) / self.areas)
+        scaled, alike, rest = self._alike(values, cuts)
+        slopes = np.diff(np.maximum(scaled, 0.0) - rest) / self.widths
+        slopes[[cut.cell for cut in alike]] = 0.0
+        return self.plain.borne_by(slopes, alike, max(scaled.item(-1), 0.0))
 
-    def integral(self, values: Array, cut: Cuts) -> float:
+    def integral(self, values: Array, cuts: list[CutCell]) -> float:
         """As `GridTransforms.integral`, as the pressures have it."""
-        scaled, scaled_cut, rest = self._alike(values, cut)
-        return self.plain.integral(scaled, scaled_cut) - float(self.plain.force @ rest)
+        scaled, alike, rest = self._alike(values, cuts)
+        return self.plain.integral(scaled, alike) - float(self.plain.force @ rest)
 
     def means(self, squares: Array, values: Array) -> Array:
         """As `GridTransforms.means`: nothing of a volume is lost."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from winkler.numerics.transforms import fredholm
@@ -40,6 +42,6 @@ class LayeredRings(LayeredGrid):
         """As `LayeredGrid.spread`."""
         return np.asarray(fredholm.moments(response, x, outer).T / outer)
 
-    def springs_within(self, squares: Array) -> Array:
+    def springs_within(self, squares: Any) -> Any:
         """Return the integral of phi(x; x)^2 from 0 to places in y, straight between nodes."""
-        return np.asarray(np.sqrt(squares) * np.interp(squares, self.squares, self._mean))
+        return np.sqrt(squares) * np.interp(squares, self.squares, self._mean)

@@ -20,7 +20,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from winkler.numerics.transforms.grid_transforms import Cuts, SurfaceTransform
+from winkler.numerics.transforms.grid_transforms import SurfaceTransform, cuts_of
 from winkler.numerics.transforms.layered_grid import LayeredGrid
 from winkler.numerics.types import Array
 
@@ -47,12 +47,12 @@ class RubbedRings:
         from scipy.linalg import solve_triangular
 
         shear, beyond = self.shear, stretch <= 0.0
-        load = self.normal.line_load(stretch, Cuts(self._squares, stretch))
+        load = self.normal.line_load(stretch, cuts_of(self._squares, stretch))
         outside = self.normal.edge / shear.edge * stretch
         bound = outside
         # what nodes alone miss of the cell in which the contact ends depends on b itself, a little
         for first in (True, False):
-            more = 0.0 if first else shear.missed_load(Cuts(self._squares, bound))
+            more = 0.0 if first else shear.missed_load(cuts_of(self._squares, bound))
             solved = solve_triangular(shear.own, load + more)
             bound = np.where(beyond, outside, solved)
         return np.asarray(bound)
@@ -65,7 +65,7 @@ class RubbedRings:
         lagging = shear.edge * lag
         transform = lagging
         for first in (True, False):
-            more = 0.0 if first else shear.missed_hold(Cuts(self._squares, transform))
+            more = 0.0 if first else shear.missed_hold(cuts_of(self._squares, transform))
             solved = solve_triangular(shear.held_away, np.maximum(lagging, 0.0) + more, lower=True)
             transform = np.where(sticks, lagging, solved)
-        return self._surface(transform, Cuts(self._squares, transform))
+        return self._surface(transform, cuts_of(self._squares, transform))

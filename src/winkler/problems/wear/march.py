@@ -22,7 +22,6 @@ zero both are differences, everywhere else matrices that are known.
 from __future__ import annotations
 
 import functools
-import math
 from collections.abc import Iterator
 from typing import Any, NamedTuple, Protocol
 
@@ -31,7 +30,7 @@ import numpy as np
 from winkler.laws.wear import WearLaw, worn_by
 from winkler.numerics.equations.implicit import implicit_step
 from winkler.numerics.equations.stabilised import MOST_STAGES, longest, stages_for, step, step_error
-from winkler.numerics.transforms.grid_transforms import Cuts
+from winkler.numerics.transforms.grid_transforms import cuts_of
 from winkler.numerics.types import Array
 from winkler.problems.normal.solve_contact import end_of
 from winkler.problems.wear.grids import wear_grid
@@ -56,7 +55,10 @@ SETTLING_DECAYS = 20.0
 EXPLICIT_STAGES = 4
 """A jump of not more stages is cheaper than an implicit one."""
 RETRY_FACTOR = 0.2
-"""Part of a jump that failed, to be tried next."""
+"""Least part of a jump that failed, to be tried next."""
+CORE_GROWTH, SLIDING_GROWTH = (5.0, 3.0), (2.0, 2.0)
+"""Greatest growth of jumps and order of their errors, with a core that sticks and where all slides: nodes come into
+contact there all the time, rates bend, and errors grow with the square of a jump."""
 SHORTEST_JUMP = 1e-13
 """Part of a stretch at which jumps are given up."""
 
@@ -179,9 +181,6 @@ class _WearRates:
             self._last = key, there, self.problem.slipped(self.grid, there)
         return self._last[1:]
 
-    def contact(self, worn: Array) -> WornContact:
-        return self.rubbed(worn)[0]
-
     def damping(self, worn: Array) -> float:
         """Return a bound of how fast the shortest waves of the pressure decay."""
         there, slip = self.rubbed(worn)
@@ -189,7 +188,7 @@ class _WearRates:
 
     def rates(self, worn: Array) -> Array:
         there, slip = self.rubbed(worn)
-        return np.stack(worn_by(self.problem.laws, there.pressure)) * slip
+        return np.array(worn_by(self.problem.laws, there.pressure)) * slip
 
     def explicit(self, worn: Array, first: Array, length: float, stages: int, scale: float) -> _JumpTrial:
         end = step(self.rates, worn, first, length, stages)
@@ -210,14 +209,15 @@ def _advance(problem: WearProblem, moment: WearMoment, goal: float, everywhere: 
     """Go on to a goal."""
     elapsed, jump, nodes, worn = moment
     here = _WearRates(problem, nodes)
-    contact, first = here.contact(worn), here.rates(worn)
+    (contact, _), first = here.rubbed(worn), here.rates(worn)
     problem.refuse(contact, elapsed)
-    begun, overrun = elapsed, False
+    begun, overrun, failed = elapsed, False, False
+    growth, order = SLIDING_GROWTH if everywhere else CORE_GROWTH
     while elapsed < goal:
         if overrun or (here.nodes[-1] < end_of(problem.bed) and contact.radius > WIDENING_SHARE * here.nodes[-1]):
             nodes, worn = _wider(problem.bed, here.nodes, worn)
             here, overrun = _WearRates(problem, nodes), False
-            contact, first = here.contact(worn), here.rates(worn)
+            (contact, _), first = here.rubbed(worn), here.rates(worn)
         fastest = float(np.max(first))
         scale = problem.tolerance * scale_of(problem, here.grid, contact)
         if fastest * (goal - elapsed) <= UNCHECKED_SHARE * scale:
@@ -243,20 +243,20 @@ def _advance(problem: WearProblem, moment: WearMoment, goal: float, everywhere: 
                 else:
                     tried = here.explicit(worn, first, length, stages_for(length, damping), scale)
         except (FloatingPointError, NotConverged):
-            jump = RETRY_FACTOR * length
+            jump, failed = RETRY_FACTOR * length, everywhere
             continue
-        error = tried.error
-        if not error <= 1.0:
-            jump = length * (max(0.2, 0.8 * error ** (-1.0 / 3.0)) if math.isfinite(error) else RETRY_FACTOR)
+        part = 0.8 * max(tried.error, 1e-9) ** (-1.0 / order)
+        if not tried.error <= 1.0:
+            jump, failed = length * max(RETRY_FACTOR, part), everywhere
             continue
         # what is worn off does not come back, whatever rounding gives
         back = bool(np.any(tried.end < worn))
         end = np.maximum(tried.end, worn) if back else tried.end
-        there = here.contact(end)
+        there, _ = here.rubbed(end)
         overrun = there.stretch[-1] > 0.0 and here.nodes[-1] < end_of(problem.bed)
         if overrun:
             continue
-        grown = length * min(5.0, 0.8 * max(error, 1e-9) ** (-1.0 / 3.0))
+        grown, failed = length * min(1.0 if failed else growth, part), False
         # a goal that was near does not limit the next jump
         jump = max(grown, wanted) if length == goal - elapsed else grown
         elapsed = goal if length == goal - elapsed else elapsed + length
@@ -300,7 +300,7 @@ def law_slope(law: WearLaw, pressure: Array) -> Array:
     near = DIFFERENCE_STEP * float(np.max(pressure))
     if near == 0.0:
         return np.zeros(pressure.shape)
-    here, there = (np.sum(worn_by(law, pressure + more), axis=0) for more in (0.0, near))
+    here, there = (np.add(*worn_by(law, pressure + more)) for more in (0.0, near))
     return np.asarray((there - here) / near)
 
 
@@ -322,8 +322,7 @@ class SlidingSystem:
         self.weights: Array = transforms.areas
         self._lifted = grid.lifted
         count = grid.nodes.size
-        outside = np.append(transforms.outside, np.zeros((1, count)), axis=0)
-        self._pressed = -np.diff(outside, axis=0) / transforms.areas[:, None]
+        self._pressed = -np.diff(transforms.outside, axis=0, append=0.0) / transforms.areas[:, None]
         # the product of both over all springs that are pressed, updated
         self._both = np.zeros((count, count))
         self._counted = np.zeros(count, dtype=bool)
@@ -338,45 +337,48 @@ class SlidingSystem:
 
     def rates(self, state: Array) -> Array:
         """Return how fast each node wears [-]."""
-        return np.asarray(np.sum(worn_by(self.law, self.contact(state).pressure), axis=0))
+        return np.add(*worn_by(self.law, self.contact(state).pressure))
 
     def slopes(self, state: Array) -> tuple[Array, Array]:
         """Return where something wears, and how those rates change with what has been worn off [1/m]."""
         contact, transforms = self.contact(state), self.grid.transforms
         stretch = contact.stretch
-        cut = Cuts(transforms.squares, stretch)
         # a rim that is pressed counts by itself
-        rim = [stretch.size - 1] if stretch[-1] > 0.0 else []
-        beside = np.unique(np.concatenate([cut.cells, cut.cells + 1, rim])).astype(int)
+        rim = {stretch.size - 1} if stretch[-1] > 0.0 else set()
+        cells = [cut.cell for cut in cuts_of(transforms.squares, stretch)]
+        beside = sorted({*cells, *(cell + 1 for cell in cells)} | rim)
         counted = stretch > 0.0
         counted[beside] = False
         for changed, sign in ((counted & ~self._counted, 1.0), (self._counted & ~counted, -1.0)):
             if changed.any():
                 self._both += sign * (self._pressed[:, changed] @ self._lifted[changed])
         self._counted = counted
-        pressed, borne = np.zeros((stretch.size, beside.size)), np.where(counted, transforms.force, 0.0)
-        for column, node in enumerate(beside):
-            pressed[:, column], borne[node] = self._difference(stretch, int(node))
+        pressed, borne = self._differences(stretch, beside)
         changing = contact.pressure > 0.0
         rows = -(self._both[changing] + pressed[changing] @ self._lifted[beside])
         if not self.grid.holds_depth(self.load):
+            borne += np.where(counted, transforms.force, 0.0)
             sunk = (borne @ self._lifted) / np.sum(borne)
-            even = self._pressed[:, counted].sum(axis=1) + pressed.sum(axis=1)
-            rows += np.outer(even[changing], sunk)
-        steepness = self.grid.modulus * law_slope(self.law, contact.pressure)[changing]
-        return changing, steepness[:, None] * rows
+            rows += (self._pressed @ counted + pressed.sum(axis=1))[changing, None] * sunk
+        rows *= (self.grid.modulus * law_slope(self.law, contact.pressure))[changing, None]
+        return changing, rows
 
-    def _difference(self, stretch: Array, node: int) -> tuple[Array, float]:
-        """Return how pressures and force change with the stretch of one spring beside an edge."""
-        step = DIFFERENCE_STEP * float(np.max(np.abs(stretch[max(node - 1, 0) : node + 2])))
-        sides = []
-        for sign in (1.0, -1.0):
-            moved = stretch.copy()
-            moved[node] += sign * step
-            cut = Cuts(self.grid.transforms.squares, moved)
-            sides.append((self.grid.transforms.borne(moved, cut), self.grid.transforms.integral(moved, cut)))
-        (more, stronger), (less, weaker) = sides
-        return (more - less) / (2.0 * step), (stronger - weaker) / (2.0 * step)
+    def _differences(self, stretch: Array, nodes: list[int]) -> tuple[Array, Array]:
+        """Return how pressures ``(n, nodes)`` and force ``(n,)`` change with the stretch of single springs at edges."""
+        transforms = self.grid.transforms
+
+        def at(values: Array) -> tuple[Array, float]:
+            cuts = cuts_of(transforms.squares, values)
+            return transforms.borne(values, cuts), transforms.integral(values, cuts)
+
+        pressed, borne = np.zeros((stretch.size, len(nodes))), np.zeros(stretch.size)
+        for column, node in enumerate(nodes):
+            step = DIFFERENCE_STEP * float(np.abs(stretch[max(node - 1, 0) : node + 2]).max())
+            more, less = stretch.copy(), stretch.copy()
+            more[node], less[node] = stretch[node] + step, stretch[node] - step
+            (there, stronger), (here, weaker) = at(more), at(less)
+            pressed[:, column], borne[node] = (there - here) / (2.0 * step), (stronger - weaker) / (2.0 * step)
+        return pressed, borne
 
     def guess(self, state: Array, first: Array, length: float) -> Array:
         """Return mean rates if the bodies were rigid: a plane takes the highest parts off, as much as wears now."""

@@ -132,11 +132,10 @@ class RoundGrid(WornGrid):
         """Return what a contact does that is pushed to and fro by a shift [m]."""
         ratio = self.sheared.ratio
         short = shift - coefficient * ratio * np.maximum(self.sheared.bounds(contact.stretch), 0.0)
-        cut = self.cuts(short)
-        slip = np.where(contact.pressure > 0.0, self.sheared.slip(short, cut), 0.0)
-        rising = cut.place[~cut.falls]
+        cuts = self.cuts(short)
+        slip = np.where(contact.pressure > 0.0, self.sheared.slip(short, cuts), 0.0)
         core_edge = 0.0 if short[0] > 0.0 else math.inf
-        stick = min([contact.radius, core_edge, *np.sqrt(rising).tolist()])
+        stick = min([contact.radius, core_edge, *(math.sqrt(cut.place) for cut in cuts if not cut.falls)])
         return RubbedContact(shift, stick, np.maximum(slip, 0.0))
 
     def shear_force(self, contact: WornContact, coefficient: float, shift: float) -> float:
@@ -160,24 +159,26 @@ class RoundGrid(WornGrid):
 def level_under(rings: GridTransforms, modulus: float, force: float, gap: Array) -> float:
     """Return the depth [m] at which springs of these transforms under a gap [m] bear a force [N]."""
     # the force at the depths of the nodes, as if g never fell, gives the start
-    climbing, areas = np.maximum.accumulate(gap), 2.0 * modulus * rings.springs_at_nodes
-    rises = climbing[1:] - climbing[:-1]
-    rises *= 0.5 * (areas[1:] + areas[:-1])
-    loads = np.concatenate((climbing[:1] * areas[:1], rises)).cumsum()
-    depth = float(np.interp(force, loads, climbing))
-    if depth == climbing[-1]:
-        depth += (force - float(loads[-1])) / float(areas[-1])
-    low, high, reach = float(gap.min()), math.inf, float(np.abs(gap).max())
+    climbing, loads, wanted = np.maximum.accumulate(gap), np.zeros(gap.size), force / (2.0 * modulus)
+    (rings.springs_between * (climbing[1:] - climbing[:-1])).cumsum(out=loads[1:])
+    cell = int(loads.searchsorted(wanted)) - 1
+    depth, lacking, springs = float(climbing[cell]), wanted - float(loads[cell]), float(rings.springs_at_nodes[cell])
+    if cell + 1 < gap.size:
+        rise = float(climbing[cell + 1]) - depth
+        bend = (float(rings.springs_between[cell]) - springs) * lacking * rise
+        depth += 2.0 * lacking * rise / (springs * rise + math.sqrt((springs * rise) ** 2 + 4.0 * bend))
+    else:
+        depth += lacking / springs
+    low, high, highest = float(gap.min()), math.inf, float(climbing[-1])
+    reach = max(highest, -low)
     for trial in range(MOST_TRIALS):
-        stretch = depth - gap
-        borne, wide = rings.pressed(stretch)
-        error = 2.0 * modulus * borne - force
+        borne, wide = rings.pressed(depth - gap)
+        error = borne - wanted
         # where much is worn off, depth and gap are great against the stretch: rounding leaves less of it
-        if abs(error) <= FORCE_TOLERANCE * force or (trial > LATE_TRIAL and abs(error) <= LATE_TOLERANCE * force):
+        if abs(error) <= FORCE_TOLERANCE * wanted or (trial > LATE_TRIAL and abs(error) <= LATE_TOLERANCE * wanted):
             return depth
         low, high = (max(low, depth), high) if error < 0.0 else (low, min(high, depth))
-        slope = 2.0 * modulus * wide
-        following = depth - error / slope if slope > 0.0 else float(np.max(gap))
+        following = depth - error / wide if wide > 0.0 else highest
         # stiff layers part and touch again from depth to depth: halving is slow, but settles
         if trial > LATE_TRIAL and high < math.inf:
             following = 0.5 * (low + high)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from winkler.media.offers import PressedWaves, offers
-from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms, SurfaceTransform
+from winkler.numerics.transforms.grid_transforms import CutCell, GridTransforms, SurfaceTransform
 from winkler.numerics.types import Array
 
 __all__ = ["ShearedGrid", "sheared_grid", "sheared_strips"]
@@ -40,10 +40,10 @@ class ShearedGrid:
         """
         return stretch
 
-    def slip(self, lag: Array, cut: Cuts) -> Array:
+    def slip(self, lag: Array, cuts: list[CutCell]) -> Array:
         """Return how far the surface lags behind [m], where springs do so by what is positive of a lag [m]."""
         assert self._surface is not None
-        return self._surface(lag, cut)
+        return self._surface(lag, cuts)
 
 
 class LayeredShearGrid(ShearedGrid):
@@ -60,7 +60,7 @@ class LayeredShearGrid(ShearedGrid):
         """As `ShearedGrid.bounds`."""
         return self._rubbed.bounds(stretch)
 
-    def slip(self, lag: Array, cut: Cuts) -> Array:
+    def slip(self, lag: Array, cuts: list[CutCell]) -> Array:
         """As `ShearedGrid.slip`."""
         return self._rubbed.slip(lag)
 

@@ -87,8 +87,8 @@ class StripGrid(WornGrid):
     def rub(self, contact: WornContact, coefficient: float, shear_force: float) -> RubbedStrip:
         """Return what a contact does that is sheared to and fro by a force per length [N/m], less than slides it."""
         short = shear_force / self.modulus - coefficient * np.maximum(self.sheared.bounds(contact.stretch), 0.0)
-        cut = self.cuts(short)
-        slip = self.sheared.ratio * np.where(contact.pressure > 0.0, self.sheared.slip(short, cut), 0.0)
+        cuts = self.cuts(short)
+        slip = self.sheared.ratio * np.where(contact.pressure > 0.0, self.sheared.slip(short, cuts), 0.0)
         core_edge = 0.0 if short[0] > 0.0 else math.inf
-        stick = min([contact.radius, core_edge, *np.sqrt(cut.place[~cut.falls]).tolist()])
+        stick = min([contact.radius, core_edge, *(math.sqrt(cut.place) for cut in cuts if not cut.falls)])
         return RubbedStrip(stick, np.maximum(slip, 0.0))

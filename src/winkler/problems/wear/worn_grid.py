@@ -12,7 +12,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms, SurfaceTransform, inner_product
+from winkler.numerics.transforms.grid_transforms import (
+    CutCell,
+    GridTransforms,
+    SurfaceTransform,
+    cuts_of,
+    inner_product,
+)
 from winkler.numerics.types import Array
 
 __all__ = ["WornContact", "WornGrid"]
@@ -73,8 +79,7 @@ class WornGrid:
     @functools.cached_property
     def response(self) -> Array:
         """Bound on the change of pressure at each node by worn depths of one metre, of any sign [Pa/m], ``(n,)``."""
-        outside = self.transforms.outside @ self.transforms.gap
-        both = np.diff(np.append(outside, np.zeros((1, self.nodes.size)), axis=0), axis=0)
+        both = np.diff(self.transforms.outside @ self.transforms.gap, axis=0, append=0.0)
         return np.asarray(self.modulus * np.sum(np.abs(both / self.transforms.areas[:, None]), axis=1))
 
     def lift(self, worn: Array) -> Array:
@@ -103,9 +108,9 @@ class WornGrid:
         """
         raise NotImplementedError
 
-    def cuts(self, values: Array) -> Cuts:
+    def cuts(self, values: Array) -> list[CutCell]:
         """Return where values at the nodes pass zero."""
-        return Cuts(self.transforms.squares, values)
+        return cuts_of(self.transforms.squares, values)
 
     def press(self, worn: Array, load: Any) -> WornContact:
         """Return the contact of the profile less what was worn off, under a load.
@@ -120,10 +125,11 @@ class WornGrid:
         gap = self.gap + self.lift(worn)
         depth = self.depth_at(load, gap)
         stretch = depth - gap
-        cut = self.cuts(stretch)
-        pressure = self.modulus * self.transforms.borne(stretch, cut)
+        cuts = self.cuts(stretch)
+        pressure = self.modulus * self.transforms.borne(stretch, cuts)
         force = float(self.transforms.areas @ pressure)
-        radius = float(self.nodes[-1]) if stretch[-1] > 0.0 else math.sqrt(cut.edge)
+        edge = max((cut.place for cut in cuts if cut.falls), default=0.0)
+        radius = float(self.nodes[-1]) if stretch[-1] > 0.0 else math.sqrt(edge)
         # nothing pulls: what is left of tension between two nodes that touch is no pressure
         return WornContact(depth, force, radius, stretch, np.maximum(pressure, 0.0), float(worn.max()))
 

@@ -28,10 +28,11 @@ integral of the function that is 1 at its node and zero at all others.
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
-from winkler.numerics.transforms.grid_transforms import Cuts, GridTransforms
+from winkler.numerics.transforms.grid_transforms import CutCell, GridTransforms
 from winkler.numerics.types import Array
 
 FIRST_PLACE = 1e-30
@@ -75,9 +76,8 @@ class StripTransforms(GridTransforms):
         self.force = np.eye(1, nodes.size)[0]
         self.set_loads()
 
-    def load_of_slope(self, upto: Array) -> Array:
+    def load_of_slope(self, upto: Any, border: Array) -> Array:
         """As `GridTransforms.load_of_slope`, on both sides."""
-        border = self.borders[:, None]
         if self.k != 0.0:
             from scipy.special import beta, betainc
 
@@ -95,13 +95,13 @@ class StripTransforms(GridTransforms):
             return np.asarray(betainc(self.q, 0.5, np.maximum(1.0 - (self.borders / self.nodes[-1]) ** 2, 0.0)))
         return np.asarray(2.0 / math.pi * np.arccos(np.minimum(self.borders / self.nodes[-1], 1.0)))
 
-    def integral(self, values: Array, cut: Cuts) -> float:
+    def integral(self, values: Array, cuts: list[CutCell]) -> float:
         """Return the load over E* [m]: what the spring in the middle bears."""
         return max(float(values[0]), 0.0)
 
-    def surface_parts(self, upto: Array) -> tuple[Array, Array]:
+    def surface_parts(self, upto: Any, nodes: Array) -> tuple[Array, Array]:
         """As `GridTransforms.surface_parts`; the first from any one place on."""
-        x, y = self.nodes[:, None], self.squares[:, None]
+        x, y = nodes, nodes * nodes
         inside = np.clip(upto, FIRST_PLACE * self.squares[1], np.maximum(y, FIRST_PLACE * self.squares[1]))
         root = np.sqrt(np.maximum(y - inside, 0.0))
         if self.k != 0.0:
