@@ -157,12 +157,12 @@ def _near(panel: LoadPanel, r: Array, z: Array, punch: Punch) -> Iterator[tuple[
     def punches(i: Indices, y: Array, offset: Array, measure: Array) -> Array:
         t = np.hypot(s, y) if s > 0.0 else y
         excess = (offset * (y + p[i]) + share[i]) / (r[i] + t)
-        weights = panel.weight(y) * measure
-        return np.array([np.sum(part * weights, axis=1) for part in punch(r[i], z[i], t, excess)])
+        weights = np.broadcast_to(panel.weight(y) * measure, excess.shape)
+        return np.array([np.einsum("ij,ij->i", part, weights) for part in punch(r[i], z[i], t, excess)])
 
     straight = distance > MAPPING_DISTANCE
     for i, nodes, weights in point_groups(np.flatnonzero(straight), np.ones(r.size, dtype=int), count):
-        y = np.broadcast_to(lower + (upper - lower) * nodes, (i.size, nodes.size))
+        y = lower + (upper - lower) * nodes
         yield i[:, 0], punches(i, y, y - p[i], (upper - lower) * weights)
 
     curved = np.flatnonzero(~straight)
