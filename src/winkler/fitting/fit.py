@@ -318,8 +318,7 @@ def not_white(task: FitTask, best: Generalised) -> Iterator[Flag]:
         )
 
 
-SINGULAR_RATIO, CLEARLY_REGULAR = 1e-7, 1e-10
-"""Least singular value over the greatest; and least square of one, of columns of unit length, that needs no better."""
+SINGULAR_RATIO = 1e-7
 CORRELATION_LIMIT = 0.99
 POINTS_PER_PARAMETER = 5
 """Fewest independent points for each parameter."""
@@ -374,10 +373,7 @@ def refuse_singular(parameters: tuple[Parameter, ...], jacobian: Array, largest:
         raise OutsideValidity(
             f"fit: the curve does not depend on {', '.join(insensitive)}; leave it fixed.{_fewer_terms(insensitive)}"
         )
-    columns = jacobian / size
-    if np.linalg.eigvalsh(columns.T @ columns)[0] > CLEARLY_REGULAR:
-        return
-    _, values, rows = np.linalg.svd(orthonormal(columns)[1])
+    _, values, rows = np.linalg.svd(orthonormal(jacobian / size)[1])
     if values[-1] <= SINGULAR_RATIO * values[0]:
         combined = [name for name, part in zip(names, rows[-1], strict=True) if abs(part) > 0.1]
         raise OutsideValidity(

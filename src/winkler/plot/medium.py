@@ -233,7 +233,7 @@ def body_is_defined(bed: Bed) -> bool:
     return isinstance(bed.footprint, RoundOutline) and not is_a(bed, MEASURED_BED)
 
 
-def stiffness_panel(bed: Bed, to: float, radius: float = 0.0) -> Panel:
+def stiffness_panel(bed: Any, to: float, radius: float = 0.0) -> Panel:
     """Return the stiffness of the contact over its radius, with the measured points.
 
     Parameters

@@ -190,15 +190,9 @@ def value(cls: type[T]) -> type[T]:
     check = getattr(check, "own", check)  # the fields of a parent are checked with one's own
     overflow: Any = dict.fromkeys(("over", "divide", "invalid"), "raise")
 
-    asked_for = [
-        refuse
-        for name, refuse in (("needs_round", refuse_outline), ("assumptions", refuse_relaxing))
-        if getattr(cls, name, None) is not None
-    ]
-
     def __post_init__(self: Any) -> None:
-        for refuse in asked_for:
-            refuse(self)
+        refuse_outline(self)
+        refuse_relaxing(self)
         contents = self.__dict__
         for name, checked in checks_of_fields():
             content = contents[name]

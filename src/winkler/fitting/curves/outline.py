@@ -104,7 +104,7 @@ def _first_slope(positions: bytes, forces: bytes) -> float:
     """
     position, force = np.frombuffer(positions), np.frombuffer(forces)
     count, span = position.size, float(np.ptp(position))
-    splits = _splits(count)
+    splits = np.unique(np.linspace(BASELINE_POINTS, count - BASELINE_POINTS, MOST_SPLITS).astype(int))
     if splits[0] < BASELINE_POINTS or not span > 0.0:
         return 0.0
     along, level = 2.0 * (position - position[0]) / span - 1.0, force - force.mean()
@@ -128,12 +128,6 @@ def _first_slope(positions: bytes, forces: bytes) -> float:
     certain = abs(slope) > LEAST_SLOPE_TO_ERROR * math.sqrt(float(left @ left) / max(split - 2, 1) / spread)
     behind_slope = float(np.ptp(level[split:])) / max(float(np.ptp(along[split:])), 1e-300)
     return 2.0 * slope / span if certain and abs(slope) < MOST_SLOPE_SHARE * behind_slope else 0.0
-
-
-@functools.lru_cache(maxsize=8)
-def _splits(count: int) -> Array:
-    """Return the trial ends of the baseline of a curve of `count` points."""
-    return np.unique(np.linspace(BASELINE_POINTS, count - BASELINE_POINTS, MOST_SPLITS).astype(int))
 
 
 def _explained(sums: Array, right: Array, degree: int) -> Array:

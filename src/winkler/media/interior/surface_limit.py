@@ -39,12 +39,10 @@ def point_groups(chosen: Indices, parts: Indices, count: Indices) -> Iterator[tu
 
     Few points share the rule that is enough for all of them.
     """
-    if not chosen.size:
-        return
-    some, many = parts[chosen], count[chosen]
-    if chosen.size * int(np.max(some)) * int(np.max(many)) <= FEW_PAIRS:
-        some, many = np.full(some.shape, np.max(some)), np.full(many.shape, np.max(many))
-    rules = MOST_NODES * some + many
+    rules = MOST_NODES * parts[chosen] + count[chosen]
+    most = int(np.max(parts[chosen], initial=1)), int(np.max(count[chosen], initial=1))
+    if chosen.size * math.prod(most) <= FEW_PAIRS:
+        rules[:] = MOST_NODES * most[0] + most[1]
     for rule in sorted(set(rules.tolist())):
         members = chosen[rules == rule]
         nodes, weights = _rule(*divmod(rule, MOST_NODES))

@@ -70,36 +70,23 @@ def move_row(
     for j in range(n):
         gap = place * place * curve
         place += 1.0
-        if gap < low:
-            vx = u[j, 0] + mx
-            vy = u[j, 1] + my
-            size = vx * vx + vy * vy
-            last = slope * (d1 - gap)
-            if size > last * last:
-                vx, vy, lost = _slip(u[j, 0], u[j, 1], slope * (d0 - gap), last, mx, my)
-                size = vx * vx + vy * vy
-                loss += lost
-            u[j, 0] = vx
-            u[j, 1] = vy
-            sum_x += vx
-            sum_y += vy
-            square += size
-        elif gap < high:
-            share = (high - gap) / (high - low)
-            if d1 > d0:
-                vx, vy, lost = _slip(0.0, 0.0, 0.0, slope * (d1 - gap), share * mx, share * my)
-                u[j, 0] = vx
-                u[j, 1] = vy
-                sum_x += vx
-                sum_y += vy
-                square += vx * vx + vy * vy
-            else:
-                _, _, lost = _slip(u[j, 0], u[j, 1], slope * (d0 - gap), 0.0, share * mx, share * my)
-                u[j, 0] = 0.0
-                u[j, 1] = 0.0
-            loss += lost
-        else:
+        if gap >= high:
             break
+        part, bound, last = 1.0, slope * (d0 - gap), slope * (d1 - gap)
+        if gap >= low:  # it comes into contact, or leaves it, within the step
+            part, bound, last = (high - gap) / (high - low), max(bound, 0.0), max(last, 0.0)
+        vx = u[j, 0] + part * mx
+        vy = u[j, 1] + part * my
+        size = vx * vx + vy * vy
+        if size > last * last:
+            vx, vy, lost = _slip(u[j, 0], u[j, 1], bound, last, part * mx, part * my)
+            size = vx * vx + vy * vy
+            loss += lost
+        u[j, 0] = vx
+        u[j, 1] = vy
+        sum_x += vx
+        sum_y += vy
+        square += size
     return sum_x, sum_y, square, loss
 
 

@@ -68,14 +68,11 @@ def found_steps(signal: Array, sign: float = 1.0) -> tuple[Step, ...]:
         if signal.size < FEWEST_WIDTHS * width:
             break
         gaps = _gaps(signal, width)
-        greatest = float(np.max(sign * gaps))
-        if not greatest > LEAST_SHARE * span:
-            continue
         whole = MAD_TO_SIGMA * median(np.abs(gaps))
-        if not greatest > LEAST_RATIO * whole:
-            continue
         high = sign * gaps > max(LEAST_RATIO * whole, LEAST_SHARE * span)
         places = np.flatnonzero(high)
+        if not places.size:
+            continue
         noise = np.full(gaps.shape, whole)
         noise[places] = _noise(gaps, width, places, whole)
         high[places] = sign * gaps[places] > LEAST_RATIO * noise[places]
