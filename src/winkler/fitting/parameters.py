@@ -52,7 +52,7 @@ def _next(owner: Any, step: str | int, path: str) -> Any:
             length = len(owner) if row else 0
             raise InvalidInput(f"free: '{path}' names item {step} of {length}; counting begins at 0.")
         return owner[step]
-    fields: Mapping[str, Any] = getattr(owner, "__dataclass_fields__", {})
+    fields = [field.name for field in dataclasses.fields(owner)] if dataclasses.is_dataclass(owner) else []
     if step not in fields:
         raise InvalidInput(
             f"free: '{path}' leads nowhere: {type(owner).__name__} has no {step}{suggest(step, fields)}; it has "
