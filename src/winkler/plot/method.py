@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any, TypeGuard
 
 import numpy as np
 
-from winkler.loading.loads import Depth
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium
 from winkler.plot.extent import around
 from winkler.plot.medium import MEASURED_BED, makeup_panel, spring_stiffness_panel, stiffness_panel
@@ -30,7 +29,7 @@ from winkler.plot.normal.stresses import stress_panel
 from winkler.plot.panel import Panel, Sheet, note
 from winkler.plot.series import with_unit
 from winkler.problems.answer import is_dragged
-from winkler.problems.normal.indentation import Indentation, IndentationSolution
+from winkler.problems.normal.indentation import IndentationSolution
 from winkler.values.checks.contract import is_a
 from winkler.values.errors import InvalidInput, OutsideValidity
 
@@ -123,7 +122,7 @@ def force(solution: Contact, _: float = 0.0) -> Panel:
 
 def depths(solution: Contact, _: float = 0.0) -> Sheet:
     """Return the greatest stresses over the depth, of the contact pressed without friction."""
-    return disc_sheet(Indentation(solution.problem.bed, Depth(float(solution.depth))).solve())
+    return disc_sheet(solution.problem.bed, float(solution.depth))
 
 
 PICTURES: dict[str, Callable[[Any, float], Panel | tuple[Panel, ...] | Sheet]] = {

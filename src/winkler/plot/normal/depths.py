@@ -8,12 +8,14 @@ from collections.abc import Mapping
 import numpy as np
 
 from winkler.fields.restoration import restore
+from winkler.foundation.bed import Bed
+from winkler.loading.loads import Depth
 from winkler.media.interior.tensor import KINDS
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.panel import Panel, PanelAxis, Sheet, among, points
 from winkler.plot.series import common_scale, series, with_unit
-from winkler.problems.normal.indentation import IndentationSolution
+from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.strong_parts import elastic_parts
 from winkler.problems.subsurface.below_disc import below_disc
 
@@ -30,20 +32,23 @@ NAMES = {
 }
 
 
-def disc_sheet(contact: IndentationSolution) -> Sheet:
-    """Return the greatest stresses at each depth below a round contact of homogeneous bodies.
+def disc_sheet(bed: Bed, depth: float) -> Sheet:
+    """Return the greatest stresses at each depth below a round contact of homogeneous bodies, without friction.
 
     Parameters
     ----------
-    contact : IndentationSolution
-        Under one load.
+    bed : Bed
+        The springs.
+    depth : float
+        How deep they are pressed [m].
 
     Raises
     ------
     OutsideValidity
         If the bodies do not touch, or the stress is infinite at a sharp edge or apex.
     """
-    find, parts = below_disc(contact), elastic_parts(contact.problem.bed.medium)
+    contact = Indentation(bed, Depth(depth)).solve()
+    find, parts = below_disc(contact), elastic_parts(bed.medium)
     found = [max((find(part, kind) for part in parts), key=lambda one: one.value) for kind in KINDS]
     side = float(np.copysign(1.0, found[1].depth))  # of the body with the greatest shear stress
     x, z = (float(contact.radius) * end for end in (FARTHEST * np.linspace(0.0, 1.0, ACROSS)[:, None],

@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
+import contextlib
 import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from winkler.loading.loads import Depth
 from winkler.media.halfspace import HalfSpace
 from winkler.media.interior.tensor import KINDS
 from winkler.numerics.types import Array
 from winkler.plot.families import bar_sheet, family_sheet
 from winkler.plot.method import adheres, method_sheet, pictures_of
+from winkler.plot.normal.depths import depth_sheet, disc_sheet
 from winkler.plot.panel import Sheet
 from winkler.plot.series import Series, name_in_words
-from winkler.problems.normal.indentation import Indentation, IndentationSolution
+from winkler.problems.normal.indentation import IndentationSolution
 from winkler.study.batch.outcome import Outcome
 from winkler.study.batch.points import SolvedPoint
 from winkler.study.chapters.answer import ALONG, Answer
@@ -38,7 +39,6 @@ from winkler.values.errors import InvalidInput, OutsideValidity, WinklerError
 
 if TYPE_CHECKING:
     from winkler.plot.method import Contact
-    from winkler.problems.subsurface.contact_stress import ContactStressSolution
 
 MOST_CURVES = 24
 """Curves in one figure; the table holds all."""
@@ -68,28 +68,6 @@ def _of_method(outcome: Outcome, contact: Contact) -> Iterator[ReportFigure]:
             yield ReportFigure(name, *captions[name], None, missing=re.sub(r"^\w+: ", "", str(error)))
 
 
-def _stresses_inside(found: Any) -> ContactStressSolution | None:
-    """Return the greatest stresses inside homogeneous bodies; None where they are infinite or not known.
-
-    Parameters
-    ----------
-    found
-        A contact, as of `stressed_contact`.
-    """
-    if not isinstance(medium_of(found), HalfSpace):
-        return None
-    from winkler.problems.subsurface.contact_stress import ContactStress
-
-    try:
-        if isinstance(found, IndentationSolution):
-            return ContactStress(Indentation(found.problem.bed, Depth(float(np.ravel(found.depth)[-1])))).solve()
-        if is_a(found, *FLAT) and np.size(found.peak_pressure) == 1:
-            return ContactStress(found.problem).solve()
-    except (InvalidInput, OutsideValidity):
-        pass
-    return None
-
-
 def _below(outcome: Outcome) -> Iterator[ReportFigure]:
     """Yield the stresses over the depth below a contact, where they are no answer already."""
     point = shown_point(outcome)
@@ -109,13 +87,16 @@ def _below(outcome: Outcome) -> Iterator[ReportFigure]:
 
 def _stresses_over_depth(point: SolvedPoint) -> tuple[Sheet, str] | None:
     """Return the greatest stresses at each depth below a contact or a map, and of which; None if they are not known."""
-    from winkler.plot.normal.depths import depth_sheet
+    contact = stressed_contact(point)
+    if isinstance(medium_of(contact), HalfSpace):
+        with contextlib.suppress(InvalidInput, OutsideValidity):  # stresses are infinite, or not known
+            if isinstance(contact, IndentationSolution):
+                return disc_sheet(contact.problem.bed, float(np.ravel(contact.depth)[-1])), ""
+            if is_a(contact, *FLAT) and np.size(contact.peak_pressure) == 1:
+                from winkler.plot.normal.below_contact import contact_stress_sheet
+                from winkler.problems.subsurface.contact_stress import ContactStress
 
-    inside = _stresses_inside(stressed_contact(point))
-    if inside is not None:
-        from winkler.plot.normal.below_contact import contact_stress_sheet
-
-        return contact_stress_sheet(inside), ""
+                return contact_stress_sheet(ContactStress(contact.problem).solve()), ""
     found = pressed_map(point)
     if found is None or not isinstance(found[0], HalfSpace) or found[1].pressure.size > MOST_PIXELS:
         return None
