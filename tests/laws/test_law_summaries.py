@@ -17,6 +17,7 @@ from example_answers import LASTING
 import winkler as wk
 from winkler.cli import main
 from winkler.media.interior.map_peak import greatest_below
+from winkler.media.interior.tensor import KINDS as STATED
 from winkler.problems.line.indentation import LineSolution
 from winkler.problems.normal.elliptic import EllipticSolution
 from winkler.problems.normal.indentation import IndentationSolution
@@ -26,7 +27,7 @@ from winkler.study.chapters.contents import answers
 from winkler.study.language.explain import example_study
 from winkler.study.language.reading import parse_study
 from winkler.study.report.figures import figures_of
-from winkler.study.report.headline.elastic_state import MEASURES, elastic_state
+from winkler.study.report.headline.elastic_state import elastic_state
 from winkler.study.report.headline.shown_contact import shown_contact, shown_point, stressed_contact
 from winkler.study.report.headline.summary import CALLED, contact_summary
 from winkler.values.units import quantity
@@ -403,7 +404,7 @@ def test_stresses_below_a_map_are_drawn_over_the_depth():
     assert "on this grid, without friction" in figure.sentence
     solution = shown_point(outcome).solution
     part = solution.problem.medium.first
-    below = greatest_below(solution.surface_load.field(part.poisson), MEASURES)
+    below = greatest_below(solution.surface_load.field(part.poisson), STATED)
     for z, values in zip(below.depths, below.values.T, strict=True):
         fields = solution.stresses_at_depth(float(z))
         expected = [np.max(measured(fields, key)) for key in ("von_mises", "max_shear", "orthogonal_shear")]

@@ -16,11 +16,12 @@ from winkler.problems.answer import March
 from winkler.study.batch.outcome import number_names
 from winkler.study.chapters.answer import Answer, PicturedContact
 from winkler.study.chapters.contents import answers
-from winkler.study.chapters.kind import _loaded, path_of
+from winkler.study.chapters.kind import _loaded
 from winkler.study.language.build import build
 from winkler.study.language.catalogue import kinds
 from winkler.study.language.explain import example_study
 from winkler.study.ledger.physics import CHAPTERS, PHYSICS
+from winkler.values.checks.contract import path_of
 from winkler.web.form import form
 
 MEMBERS = ("total", "steps", "gathered")

@@ -4,22 +4,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import overload
+from typing import TYPE_CHECKING, overload
 
 import numpy as np
 
-from winkler.fields.restoration import below_surface, springs_of
+from winkler.fields.restoration import below_surface, is_twisted, springs_of
 from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.sheared_fields import BodyFields, body_of_sheared
 from winkler.media.interior.peak import greatest, greatest_around
 from winkler.media.offers import LayerStack, offers
 from winkler.numerics.types import Array
 from winkler.problems.answer import Dragged, Restorable, SelfRestoring, is_dragged, is_self_restoring
-from winkler.problems.friction.torsion_fields import body_of_twisted
-from winkler.problems.friction.torsion_states import TorsionState
 from winkler.problems.normal.greatest_stress import INTERFACE_OFFSET, least_depth
 from winkler.values.checks.outline import refuse_unless_round
 from winkler.values.value import value
+
+if TYPE_CHECKING:
+    from winkler.problems.friction.torsion_states import TorsionState
 
 __all__ = ["PeakStress", "PlacedStress", "peak_stress"]
 
@@ -86,7 +87,7 @@ def peak_stress(
         PlacedStress for a sheared or twisted contact. In a twisted contact the search begins at a thousandth of the
         contact radius below the surface. Infinite at a sharp kink, edge or apex.
     """
-    if isinstance(solution, TorsionState):
+    if is_twisted(solution):
         return _twisted_peak(solution, 1.0 if below else -1.0)
     if is_self_restoring(solution):
         sign = 1.0 if below else -1.0
@@ -165,6 +166,8 @@ def _twisted_peak(state: TorsionState, sign: float) -> PlacedStress:
         return PlacedStress(0.0, 0.0, 0.0, 0.0)
     if any(strength != 0.0 for _, strength in state.springs.kinks) or state.springs.edge != 0.0:
         return PlacedStress(float("inf"), state.radius, 0.0, 0.0)
+    from winkler.problems.friction.torsion_fields import body_of_twisted
+
     place = greatest(
         lambda r, z: body_of_twisted(state, r, np.zeros(r.shape), sign * _off(z, state.radius)).von_mises, state.radius
     )

@@ -7,7 +7,7 @@ surface; the field below it is not symmetric about the axis any more, and ``rest
 
 from __future__ import annotations
 
-from typing import overload
+from typing import TYPE_CHECKING, Any, TypeGuard, overload
 
 import numpy as np
 
@@ -24,18 +24,22 @@ from winkler.foundation.sheared_fields import (
 from winkler.media.interior.stress import max_shear, principal, von_mises
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.answer import Dragged, Restorable, SelfRestoring, is_dragged, is_restorable, is_self_restoring
-from winkler.problems.friction.torsion_fields import TwistedFields, body_of_twisted, twisted_surface
-from winkler.problems.friction.torsion_states import TorsionState
+from winkler.values.checks.contract import is_a
 from winkler.values.checks.float_range import guarded_result
 from winkler.values.checks.outline import refuse_unless_round
 from winkler.values.checks.place_checks import common_places, finite_places
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
+if TYPE_CHECKING:
+    from winkler.problems.friction.torsion_fields import TwistedFields
+    from winkler.problems.friction.torsion_states import TorsionState
+
 __all__ = [
     "SubsurfaceFields",
     "SurfaceFields",
     "below_surface",
+    "is_twisted",
     "restore",
     "restore_body",
     "restore_shift",
@@ -150,13 +154,15 @@ def restore(
         common_places("restore", r=r, z=z)
     if np.any(radii < 0.0):
         raise InvalidInput(f"restore: r = {np.min(radii):.6g} m is negative; distances from the axis are positive.")
-    if is_self_restoring(solution) or is_dragged(solution) or isinstance(solution, TorsionState):
+    if is_self_restoring(solution) or is_dragged(solution) or is_twisted(solution):
         if z is not None:
             raise InvalidInput(
                 "restore: below a sheared or twisted contact the stress has all six components; use "
                 "restore_body(solution, x, y, z)."
             )
-        if isinstance(solution, TorsionState):
+        if is_twisted(solution):
+            from winkler.problems.friction.torsion_fields import twisted_surface
+
             return twisted_surface(solution, radii)
         if is_dragged(solution):
             refuse_unless_round(solution.sheared.pressed, "restore", FIELD_ADVICE)
@@ -204,7 +210,9 @@ def restore_body(
     K. L. Johnson, Contact Mechanics, Cambridge 1985, sections 3.6 and 7.2, doi:10.1017/CBO9781139171731
     """
     places = common_places("restore_body", x=x, y=y, z=z)
-    if isinstance(solution, TorsionState):
+    if is_twisted(solution):
+        from winkler.problems.friction.torsion_fields import body_of_twisted
+
         return body_of_twisted(solution, *places)
     if is_self_restoring(solution):
         return solution.body_fields(*places)
@@ -248,6 +256,11 @@ def restore_shift(solution: Dragged, x: ArrayLike, y: ArrayLike) -> Array:
         )
     refuse_unless_round(solution.sheared.pressed, "restore_shift", FIELD_ADVICE)
     return shift_of_surface(solution.sheared, *places)
+
+
+def is_twisted(solution: Any) -> TypeGuard[TorsionState]:
+    """Return whether a solution is a state of a twisted contact."""
+    return is_a(solution, "winkler.problems.friction.torsion_states:TorsionState")
 
 
 def springs_of(solution: Restorable | Dragged | SelfRestoring | TorsionState) -> PressedSprings:

@@ -25,7 +25,8 @@ __all__ = ["changed", "each", "number_at", "unit_of"]
 STEP = re.compile(r"([A-Za-z_]\w*)|\[(\d+)\]")
 
 
-def _steps(path: str) -> list[str | int]:
+@functools.lru_cache(maxsize=256)
+def _steps(path: str) -> tuple[str | int, ...]:
     steps: list[str | int] = []
     if len(path) > KEY_LETTERS:
         raise InvalidInput(f"free: '{path[:40]}...' has {len(path)} letters; give at most {KEY_LETTERS}.")
@@ -41,7 +42,7 @@ def _steps(path: str) -> list[str | int]:
         place = match.end()
         if place < len(path) and path[place] == ".":
             place += 1
-    return steps
+    return tuple(steps)
 
 
 def _next(owner: Any, step: str | int, path: str) -> Any:
@@ -114,9 +115,9 @@ def changed(model: Any, numbers: Mapping[str, float]) -> Any:
     return _changed(model, [(_steps(path), number) for path, number in numbers.items()])
 
 
-def _changed(owner: Any, changes: list[tuple[list[str | int], float]]) -> Any:
+def _changed(owner: Any, changes: list[tuple[tuple[str | int, ...], float]]) -> Any:
     own: dict[str | int, Any] = {}
-    deeper: dict[str | int, list[tuple[list[str | int], float]]] = {}
+    deeper: dict[str | int, list[tuple[tuple[str | int, ...], float]]] = {}
     for steps, number in changes:
         if len(steps) == 1:
             own[steps[0]] = number

@@ -30,6 +30,8 @@ NEGLIGIBLE_TOLERANCE = 1e-20
 """The same times width over contact radius: below it a panel is accepted as it is (the very tip of a pointed g)."""
 ROUNDING_TOLERANCE = 1e-8
 """A series whose last coefficients do not fall on halving the panel, but are below this, ends in rounding noise."""
+ROUNDING = 2e-15
+"""Largest coefficients at the end of a series that are left out, relative to the largest H: rounding of its sums."""
 MOST_PANELS = 40_000
 FEWEST_MEMBERS = 4
 """Fewest panels that are worth a cluster."""
@@ -127,7 +129,7 @@ def _panels(displacement: Displacement) -> list[LoadPanel]:
             noise &= noise[np.arange(len(waiting)) ^ 1]  # in both halves of the parent
         ready = (error <= TOLERANCE * size) | (error * width <= NEGLIGIBLE_TOLERANCE * size * a) | noise
         for i in np.flatnonzero(ready):
-            last = np.flatnonzero(np.abs(series[i]) > 1e-16 * size)
+            last = np.flatnonzero(np.abs(series[i]) > ROUNDING * size)
             done.append(LoadPanel(*waiting[i], series[i, : last[-1] + 1 if last.size else 1]))
         rest = np.flatnonzero(~ready)
         if rest.size and (len(done) + 2 * rest.size > MOST_PANELS or not np.all(np.isfinite(series[rest]))):

@@ -19,7 +19,6 @@ from winkler.plot import style
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import around, checked_extent, typical
 from winkler.plot.medium import body_is_defined, stiffness_panel
-from winkler.plot.method import Contact
 from winkler.plot.normal.body import body_panel, contact_panel
 from winkler.plot.normal.curves import (
     curve_panel,
@@ -165,7 +164,7 @@ def _force_curve(item: IndentationSolution) -> Panel:
     return loaded_so_far(item.pressed, float(item.force))
 
 
-def _curves_sheet(item: Contact, extent: float | None) -> Sheet:
+def _curves_sheet(item: IndentationSolution | AdhesiveSolution, extent: float | None) -> Sheet:
     if extent is not None:
         raise InvalidInput(
             "draw: curves over many loads have no extent; leave it out, or pick one load: solution.at(0)."

@@ -7,20 +7,13 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeGuard
 
 import numpy as np
 
-from winkler.foundation.bed import Bed
-from winkler.foundation.measured import MeasuredBed
-from winkler.loading.loads import Depth
 from winkler.media.halfspace import HalfSpace, HomogeneousMedium
-from winkler.plot.adhesion.equilibria import around_panel
 from winkler.plot.extent import around
-from winkler.plot.friction.curves import RestorableSprings
-from winkler.plot.friction.stress import dragged_stress_panel, in_first
-from winkler.plot.medium import makeup_panel, spring_stiffness_panel, stiffness_panel
-from winkler.plot.normal.below_contact import contact_stress_sheet
+from winkler.plot.medium import MEASURED_BED, makeup_panel, spring_stiffness_panel, stiffness_panel
 from winkler.plot.normal.body import contact_panel
 from winkler.plot.normal.curves import (
     force_depth,
@@ -30,34 +23,40 @@ from winkler.plot.normal.curves import (
     surface,
     surface_panel,
 )
+from winkler.plot.normal.depths import disc_sheet
 from winkler.plot.normal.springs import springs_panel
 from winkler.plot.normal.stresses import stress_panel
 from winkler.plot.panel import Panel, Sheet, note
 from winkler.plot.series import with_unit
-from winkler.problems.adhesion.edge_states import FarStates
-from winkler.problems.adhesion.indentation import AdhesiveSolution
-from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.answer import is_dragged
-from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.problems.subsurface.contact_stress import ContactStress
+from winkler.problems.normal.indentation import IndentationSolution
+from winkler.values.checks.contract import is_a
 from winkler.values.errors import InvalidInput, OutsideValidity
 
-Contact = IndentationSolution | AdhesiveSolution
-"""The drawn object: a solution for one load."""
+if TYPE_CHECKING:
+    from winkler.problems.adhesion.indentation import AdhesiveSolution
+
+    Contact = IndentationSolution | AdhesiveSolution  # the drawn object: a solution for one load
 
 
-def bed_panels(bed: Bed, to: float, radius: float = 0.0) -> tuple[Panel, Panel]:
+def adheres(solution: Any) -> TypeGuard[AdhesiveSolution]:
+    """Return whether a contact adheres; the modules of adhesion are loaded for such contacts alone."""
+    return is_a(solution, "winkler.problems.adhesion.indentation:AdhesiveSolution")
+
+
+def bed_panels(bed: Any, to: float, radius: float = 0.0) -> tuple[Panel, Panel]:
     """Return E(z), or the measured k(a), and the stiffness of the springs.
 
     Parameters
     ----------
     bed : Bed
+        Its springs.
     to : float
         Greatest x and, where the medium has no length of its own, depth [m].
     radius : float
         Radius of a contact [m], marked; zero for none.
     """
-    if isinstance(bed, MeasuredBed):
+    if is_a(bed, MEASURED_BED):
         return stiffness_panel(bed, to, radius), spring_stiffness_panel(bed.medium, min(to, bed.reach), radius)
     return makeup_panel(bed.medium, to, radius), spring_stiffness_panel(bed.medium, to, radius)
 
@@ -65,15 +64,16 @@ def bed_panels(bed: Bed, to: float, radius: float = 0.0) -> tuple[Panel, Panel]:
 def line_load(solution: Contact, to: float) -> Panel:
     """Return the line load q(x) of a contact, with its integral."""
     pull = 0.0
-    if isinstance(solution, AdhesiveSolution):
-        states = states_of(solution.problem.bed, solution.problem.law)
-        pull = states.pull if isinstance(states, FarStates) else 0.0
+    if adheres(solution):
+        from winkler.plot.adhesion.equilibria import pull_of
+
+        pull = pull_of(solution)
     return line_load_panel(solution, to, float(solution.force), pull)
 
 
 def pressure(solution: Contact, to: float) -> Panel:
     """Return p(r) of a contact, with its mean, or with the stress intensity at its edge."""
-    if isinstance(solution, AdhesiveSolution):
+    if adheres(solution):
         return pressure_panel(solution, to, remark=_intensity(solution))
     radius = float(solution.pressed.radius)
     return pressure_panel(solution, to, float(solution.force) / (np.pi * radius**2) if radius > 0.0 else None)
@@ -94,6 +94,9 @@ def stress(solution: Contact, to: float, *, scale: float | None = None) -> Panel
             "draw: the bodies do not touch under this load, so there is no stress to show; give more load."
         )
     if is_dragged(solution):
+        from winkler.plot.friction.curves import RestorableSprings
+        from winkler.plot.friction.stress import dragged_stress_panel, in_first
+
         sheared = solution.sheared
         first, radius = in_first(sheared.pressed.bed), sheared.pressed.radius
         return dragged_stress_panel(RestorableSprings(sheared), radius, to, first=first, scale=scale)
@@ -102,7 +105,9 @@ def stress(solution: Contact, to: float, *, scale: float | None = None) -> Panel
 
 def force(solution: Contact, _: float = 0.0) -> Panel:
     """Return F(d) up to this load, or around it with adhesion, and the load itself as a point."""
-    if isinstance(solution, AdhesiveSolution):
+    if adheres(solution):
+        from winkler.plot.adhesion.equilibria import around_panel
+
         return around_panel(solution)
     depth = float(solution.depth)
     if depth <= 0.0:
@@ -117,8 +122,7 @@ def force(solution: Contact, _: float = 0.0) -> Panel:
 
 def depths(solution: Contact, _: float = 0.0) -> Sheet:
     """Return the greatest stresses over the depth, of the contact pressed without friction."""
-    pressed = Indentation(solution.problem.bed, Depth(float(solution.depth)))
-    return contact_stress_sheet(ContactStress(pressed).solve())
+    return disc_sheet(solution.problem.bed, float(solution.depth))
 
 
 PICTURES: dict[str, Callable[[Any, float], Panel | tuple[Panel, ...] | Sheet]] = {
@@ -143,7 +147,7 @@ def pictures_of(solution: Contact) -> tuple[str, ...]:
     """
     medium = solution.pressed.bed.medium
     left_out = {"medium"} if isinstance(medium, HomogeneousMedium) else set()
-    if not isinstance(medium, HalfSpace) or isinstance(solution, AdhesiveSolution):
+    if not isinstance(medium, HalfSpace) or adheres(solution):
         left_out |= {"depths"}
     return tuple(name for name in PICTURES if name not in left_out)
 

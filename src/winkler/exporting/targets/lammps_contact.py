@@ -59,16 +59,19 @@ void cross(const double *a, const double *b, double *c) {
 
 /* Put an axis into the plane across n. */
 void across(const double *n, double *axis) {
-    double along = dot(axis, n), rest[3], length = 0.0;
+    double along = dot(axis, n), rest[3], square = 0.0;
     for (int k = 0; k < 3; ++k) rest[k] = axis[k] - along * n[k];
-    length = std::sqrt(dot(rest, rest));
-    if (!(length > 1e-6)) {
+    square = dot(rest, rest);
+    if (!(square > 1e-12)) {
         const double x[3] = {1.0, 0.0, 0.0}, y[3] = {0.0, 1.0, 0.0};
         cross(n, std::fabs(n[0]) < 0.7 ? x : y, rest);
-        length = std::sqrt(dot(rest, rest));
+        square = dot(rest, rest);
     }
-    length = 1.0 / length;
-    for (int k = 0; k < 3; ++k) axis[k] = length * rest[k];
+    /* to rounding, by a series, while the normal turns little in a step */
+    const double more = square - 1.0;
+    const double shrink = std::fabs(more) < 1e-4 ? 1.0 - more * (0.5 - more * (0.375 - 0.3125 * more))
+                                                 : 1.0 / std::sqrt(square);
+    for (int k = 0; k < 3; ++k) axis[k] = shrink * rest[k];
 }
 
 typedef std::pair<tagint, tagint> Key;
@@ -133,8 +136,8 @@ private:
 
 /* Move a contact by one step. n points to the first body, which slides and turns over the second by so much, while the
    pair spins; force and moment act on the first.  False where the law does not hold. */
-bool moved(Remembered *own, const double *n, double depth, double R, double step, double *slide, const double *turn,
-           const double *spin, @name@_answer &answer, double *push, double *moment) {
+bool moved(Remembered *own, const double *n, double depth, double R, double step, const double *slide,
+           const double *turn, const double *spin, @name@_answer &answer, double *push, double *moment) {
     double *one = own->axis, two[3] = {0.0, 0.0, 0.0};
     if (SLIDES) {
         across(n, one);
@@ -144,10 +147,11 @@ bool moved(Remembered *own, const double *n, double depth, double R, double step
         const bool small = square < 1e-6;
         const double near = small ? 1.0 - square * (0.5 - square / 24.0) : std::cos(angle);
         const double far = small ? angle * (1.0 - square * (1.0 / 6.0 - square / 120.0)) : std::sin(angle);
-        for (int k = 0; k < 3; ++k) one[k] = near * one[k] + far * two[k];
-        cross(n, one, two);
-        const double along = dot(slide, n);
-        for (int k = 0; k < 3; ++k) slide[k] -= along * n[k];
+        for (int k = 0; k < 3; ++k) {
+            const double turned = near * one[k] + far * two[k];
+            two[k] = near * two[k] - far * one[k];
+            one[k] = turned;
+        }
     }
     (void)R; (void)step; (void)turn; (void)moment;
     @name@_motion motion;

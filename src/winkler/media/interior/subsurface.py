@@ -150,17 +150,17 @@ def _near(panel: LoadPanel, r: Array, z: Array, punch: Punch) -> Iterator[tuple[
     middle, half = 0.5 * (lower + upper), 0.5 * (upper - lower)
     branch = np.full(r.shape, 1j * s) if s > 0.0 else 1j * q - p
     distance = np.minimum(_distance((p + 1j * q - middle) / half), _distance((branch - middle) / half))
-    count = _enough(15.0 / distance + 0.6 * rank)
+    count = _enough(17.0 / distance + 0.6 * rank + 4.0)
 
     def punches(i: Indices, y: Array, offset: Array, measure: Array) -> Array:
         t = np.hypot(s, y) if s > 0.0 else y
         excess = (offset * (y + p[i]) + share[i]) / (r[i] + t)
-        weights = panel.weight(y) * measure
-        return np.array([np.sum(part * weights, axis=1) for part in punch(r[i], z[i], t, excess)])
+        weights = np.broadcast_to(panel.weight(y) * measure, excess.shape)
+        return np.array([np.einsum("ij,ij->i", part, weights) for part in punch(r[i], z[i], t, excess)])
 
     straight = distance > MAPPING_DISTANCE
     for i, nodes, weights in point_groups(np.flatnonzero(straight), np.ones(r.size, dtype=int), count):
-        y = np.broadcast_to(lower + (upper - lower) * nodes, (i.size, nodes.size))
+        y = lower + (upper - lower) * nodes
         yield i[:, 0], punches(i, y, y - p[i], (upper - lower) * weights)
 
     curved = np.flatnonzero(~straight)
@@ -171,7 +171,7 @@ def _near(panel: LoadPanel, r: Array, z: Array, punch: Punch) -> Iterator[tuple[
     beyond = np.arcsinh((branch - p)[curved] / q[curved])
     nearest = np.minimum(_distance((1j * np.pi - 2.0 * centre) / length), _distance(2.0 * (beyond - centre) / length))
     nearest = np.where(parts[curved] == 1, nearest, _distance(1j * np.pi * parts[curved] / length))
-    count[curved] = _enough(16.0 / nearest + 0.8 * rank)
+    count[curved] = _enough(18.0 / nearest + 0.8 * rank + 4.0)
     for i, nodes, weights in point_groups(curved, parts, count):
         v = first[i] + (last - first)[i] * nodes
         offset = q[i] * np.sinh(v)

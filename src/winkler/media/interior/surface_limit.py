@@ -26,14 +26,24 @@ POINTS_PER_BLOCK = 20_000
 """Largest number of points at once."""
 PAIRS_PER_CHUNK = 1 << 16
 """Largest number of (point, node) pairs at once: the temporary arrays stay in the cache."""
+FEW_PAIRS = 1 << 12
+"""Number of such pairs up to which one rule for all points takes less time than a rule for each."""
+MOST_NODES = 1 << 10
+"""More nodes than any rule has."""
 
 
 def point_groups(chosen: Indices, parts: Indices, count: Indices) -> Iterator[tuple[Indices, Array, Array]]:
-    """Yield points with the same rule, and its nodes and weights, in pieces of at most `PAIRS_PER_CHUNK` pairs."""
-    pairs, _ = np.unique(np.stack([parts[chosen], count[chosen]]), axis=1, return_index=True)  # else it loads numpy.ma
-    for some, many in pairs.T:
-        members = chosen[(parts[chosen] == some) & (count[chosen] == many)]
-        nodes, weights = _rule(int(some), int(many))
+    """Yield points with the same rule, and its nodes and weights, in pieces of at most `PAIRS_PER_CHUNK` pairs.
+
+    Few points share the rule that is enough for all of them.
+    """
+    rules = MOST_NODES * parts[chosen] + count[chosen]
+    most = int(np.max(parts[chosen], initial=1)), int(np.max(count[chosen], initial=1))
+    if chosen.size * math.prod(most) <= FEW_PAIRS:
+        rules[:] = MOST_NODES * most[0] + most[1]
+    for rule in sorted(set(rules.tolist())):
+        members = chosen[rules == rule]
+        nodes, weights = _rule(*divmod(rule, MOST_NODES))
         for part in chunks(members.size, nodes.size, PAIRS_PER_CHUNK):
             yield members[part, None], nodes, weights
 

@@ -68,6 +68,8 @@ def lateral_shear(stress: Tensor) -> Array:
     return np.abs(stress.yz)
 
 
+KINDS: tuple[Measure, ...] = (von_mises, max_shear, orthogonal_shear)
+"""The stresses that are stated of every contact."""
 MEASURES: Mapping[str, Measure] = MappingProxyType(
     {each.__name__: each for each in (von_mises, max_shear, orthogonal_shear, longitudinal_shear, lateral_shear)}
 )

@@ -66,12 +66,14 @@ class _LoadWaves(NamedTuple):
         return np.hypot(self.kx[:, None], self.ky)
 
     def on_grid(self, amplitudes: ComplexArray, x: Array, y: Array) -> Array:
-        """Return the sum of waves of these amplitudes (m, n) in the middles x, y of the pixels of a map."""
+        """Return the sums of waves of amplitudes (c, m, n) in the middles x, y of the pixels of a map, (c, nx, ny)."""
         import scipy.fft
 
         if self.size[0]:
-            return np.asarray(scipy.fft.irfft2(amplitudes, self.size, workers=-1)[: x.size, : y.size])
-        return np.asarray((np.exp(1j * np.outer(x, self.kx)) @ amplitudes @ np.exp(1j * np.outer(self.ky, y))).real)
+            each = (scipy.fft.irfft2(one, self.size, workers=-1)[: x.size, : y.size] for one in amplitudes)
+            return np.array([*each])
+        rows, angles = np.exp(1j * np.outer(x, self.kx)) @ amplitudes, np.outer(self.ky, y)
+        return np.asarray(rows.real @ np.cos(angles) - rows.imag @ np.sin(angles))
 
     def at_places(self, amplitudes: ComplexArray, x: Array, y: Array) -> Array:
         """Return the same at places x, y of one shape (p,)."""
@@ -171,8 +173,7 @@ class MapInLayers:
         """
         found = np.zeros((count, *self.loads.shape[1:]))
         for waves, total in self._waves_at(z, found, lambda own: own.at_depth(z, count)):
-            for row, amplitudes in zip(found, total, strict=True):
-                row += waves.on_grid(amplitudes, *self.middles)
+            found += waves.on_grid(total, *self.middles)
         return found
 
     def at_places(self, places: Array) -> Array:
@@ -209,6 +210,8 @@ class MapInLayers:
             held = solid.lateral * pressure
             means = np.array([held, held, pressure, 0.0, along, across])
             found[:STRESSES] -= means.reshape(-1, *(1,) * (found.ndim - 1))
+        between = {number > 0: self._between(plane[int(number > 0)]) for number in self.numbers}
+        aside = self._between(beside)
         for waves in self.waves:
             k = waves.k
             reach = min(int(np.searchsorted(self.table, float(np.min(k[k > 0.0])))), TABLE - 1)
@@ -216,11 +219,12 @@ class MapInLayers:
                 continue  # they have died out
             per_k = 1.0 / np.where(k > 0.0, k, 1.0)
             total = np.zeros((len(found), *k.shape), dtype=complex)
-            turned = self._at(k, beside) if self.numbers[-1] > 0 else np.zeros((2, 1, 1))
-            states = [self._at(k, plane[int(number > 0)]) for number in self.numbers[:2]]
+            logs = np.clip(np.log(np.maximum(k, 1e-300)), *np.log(self.table[[0, -1]]))
+            turned = aside(logs) if self.numbers[-1] > 0 else np.zeros((2, 1, 1))
+            states = {dragged: rows(logs) for dragged, rows in between.items()}
             bend = solid.shear * solid.twist
             for load, number in zip(waves.loads, self.numbers, strict=True):
-                state = states[min(number, len(states) - 1)]
+                state = states[number > 0]
                 c, s = waves.kx[:, None] * per_k, waves.ky * per_k
                 total[:STRESSES] += _amplitudes(number, c, s, state, turned) * load
                 if len(found) > STRESSES:
@@ -245,12 +249,12 @@ class MapInLayers:
             beside[:, :deepest] = solid.shear * solid.twist * across.moved, across.loaded
         return plane, beside, solid
 
-    def _at(self, k: Array, rows: Array) -> Array:
-        """Return rows of the table at wave numbers of any shape."""
+    def _between(self, rows: Array) -> Callable[[Array], Array]:
+        """Return rows of the table as a function of logarithms of wave numbers of any shape."""
         from scipy.interpolate import CubicSpline
 
-        logs = np.log(self.table)
-        return np.asarray(CubicSpline(logs, rows, axis=1)(np.clip(np.log(np.maximum(k, 1e-300)), logs[0], logs[-1])))
+        found: Callable[[Array], Array] = CubicSpline(np.log(self.table), rows, axis=1)
+        return found
 
 
 def _amplitudes(number: int, c: Array, s: Array, plane: Array, beside: Array) -> ComplexArray:

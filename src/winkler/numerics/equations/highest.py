@@ -266,8 +266,7 @@ def _derivatives(terms: Array, place: Array) -> tuple[Array, Array]:
 def _along_each(values: Array, matrices: Sequence[Array]) -> Array:
     """Return the product of values on a grid with one matrix for each of its coordinates."""
     for matrix in matrices:
-        shape = values.shape[1:]
-        values = np.moveaxis((matrix @ values.reshape(values.shape[0], -1)).reshape(-1, *shape), 0, -1)
+        values = (values.reshape(len(values), -1).T @ matrix.T).reshape(*values.shape[1:], -1)
     return values
 
 

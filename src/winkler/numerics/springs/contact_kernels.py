@@ -66,32 +66,27 @@ def move_row(
     loss = 0.0
     low = min(d0, d1)
     high = max(d0, d1)
+    place = 0.5
     for j in range(n):
-        gap = (j + 0.5) * (j + 0.5) * curve
-        if gap < low:
-            vx, vy, lost = _slip(u[j, 0], u[j, 1], slope * (d0 - gap), slope * (d1 - gap), mx, my)
-            u[j, 0] = vx
-            u[j, 1] = vy
-            sum_x += vx
-            sum_y += vy
-            square += vx * vx + vy * vy
-            loss += lost
-        elif gap < high:
-            share = (high - gap) / (high - low)
-            if d1 > d0:
-                vx, vy, lost = _slip(0.0, 0.0, 0.0, slope * (d1 - gap), share * mx, share * my)
-                u[j, 0] = vx
-                u[j, 1] = vy
-                sum_x += vx
-                sum_y += vy
-                square += vx * vx + vy * vy
-            else:
-                _, _, lost = _slip(u[j, 0], u[j, 1], slope * (d0 - gap), 0.0, share * mx, share * my)
-                u[j, 0] = 0.0
-                u[j, 1] = 0.0
-            loss += lost
-        else:
+        gap = place * place * curve
+        place += 1.0
+        if gap >= high:
             break
+        part, bound, last = 1.0, slope * (d0 - gap), slope * (d1 - gap)
+        if gap >= low:  # it comes into contact, or leaves it, within the step
+            part, bound, last = (high - gap) / (high - low), max(bound, 0.0), max(last, 0.0)
+        vx = u[j, 0] + part * mx
+        vy = u[j, 1] + part * my
+        size = vx * vx + vy * vy
+        if size > last * last:
+            vx, vy, lost = _slip(u[j, 0], u[j, 1], bound, last, part * mx, part * my)
+            size = vx * vx + vy * vy
+            loss += lost
+        u[j, 0] = vx
+        u[j, 1] = vy
+        sum_x += vx
+        sum_y += vy
+        square += size
     return sum_x, sum_y, square, loss
 
 
@@ -134,15 +129,18 @@ def turn_one(
     Its stiffness goes from `before` to `after`, and it bears at most the moment `most` at the end.
     """
     energy = 0.5 * before * (x * x + y * y)
+    inverse = 1.0 / after if after > 0.0 else 0.0
     if after > before:
-        x *= before / after
-        y *= before / after
-    bound = most / after if after > 0.0 else 0.0
-    size = math.sqrt(x * x + y * y)
-    if size > bound:
-        x *= bound / size
-        y *= bound / size
-    waste = energy - 0.5 * after * (x * x + y * y)
+        x *= before * inverse
+        y *= before * inverse
+    bound = most * inverse
+    square = x * x + y * y
+    if square > bound * bound:
+        shrunk = bound / math.sqrt(square)
+        x *= shrunk
+        y *= shrunk
+        square = bound * bound
+    waste = energy - 0.5 * after * square
     x, y, loss = _slip(x, y, bound, bound, turn_x, turn_y)
     return x, y, 0.5 * after * (x * x + y * y), after * loss + max(waste, 0.0)
 

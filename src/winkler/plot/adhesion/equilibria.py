@@ -14,6 +14,7 @@ from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.panel import Arrow, Line, Panel, PanelAxis, Rule, note, points, zero
 from winkler.plot.series import series
+from winkler.problems.adhesion.edge_states import FarStates
 from winkler.problems.adhesion.equilibrium import Equilibrium, EquilibriumCurve
 from winkler.problems.adhesion.indentation import AdhesiveIndentation, AdhesiveSolution
 from winkler.problems.adhesion.law_states import states_of
@@ -106,6 +107,12 @@ def around_panel(solution: AdhesiveSolution) -> Panel:
     text = f"stability under {'fixed grips' if isinstance(problem.load, Depth) else 'a dead load'}"
     marks.append(note(f"the edge about to recede,\n{text}" if receding else text, "lower right"))
     return equilibrium_panel(curve, jumps=False).plus(*marks, points(depth, force, order=7.0, clipped=False))
+
+
+def pull_of(solution: AdhesiveSolution) -> float:
+    """Return the attraction outside the contact [N], zero where its law has none there."""
+    states = states_of(solution.problem.bed, solution.problem.law)
+    return states.pull if isinstance(states, FarStates) else 0.0
 
 
 def pull_off_panel(solution: PullOffSolution) -> Panel:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
-from collections.abc import Mapping
 from typing import TypeGuard
 
 import numpy as np
@@ -13,10 +11,9 @@ from winkler.media.halfspace import HalfSpace
 from winkler.media.interior.tensor import measure_named
 from winkler.media.offers import LayerStack, offers
 from winkler.numerics.types import Array
-from winkler.plot import style
 from winkler.plot.dispatch import without_extent
-from winkler.plot.panel import Panel, PanelAxis, Sheet, among, points
-from winkler.plot.series import common_scale, series, with_unit
+from winkler.plot.normal.depths import ACROSS, DEEPEST, DOWN, FARTHEST, NAMES, depth_sheet
+from winkler.plot.panel import Sheet
 from winkler.problems.line.stress import LineFields
 from winkler.problems.normal.elliptic import EllipticSolution
 from winkler.problems.normal.elliptic_fields import EllipticFields
@@ -25,19 +22,8 @@ from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.normal.onset.ellipse_in_layers import EllipseInLayers
 from winkler.problems.subsurface.contact_stress import ContactStressSolution
 
-ACROSS, DOWN = 61, 81
-"""Places of the plane of which the greatest at each depth is drawn."""
 FEW_DOWN = 25
 """Depths below an ellipse on layers, at each of which waves in all directions are summed."""
-FARTHEST, DEEPEST = 1.2, 2.0
-"""How far and deep it reaches, over the contact radius, the half-width or the shorter semi-axis."""
-ROOM = 1.05
-"""Greatest value on the axis of stresses, over the greatest stress."""
-NAMES = {
-    "von_mises": "von Mises stress",
-    "max_shear": "greatest shear stress",
-    "orthogonal_shear": "orthogonal shear stress",
-}
 
 
 @without_extent(ContactStressSolution)
@@ -45,34 +31,6 @@ def contact_stress_sheet(item: ContactStressSolution) -> Sheet:
     """Return the greatest stresses at each depth, below the shorter axis of an ellipse, and the greatest of all."""
     greatest = {name: (getattr(item, name), abs(getattr(item, f"{name}_depth"))) for name in NAMES}
     return depth_sheet(np.abs(_depths(item)), _at_depths(item), greatest)
-
-
-def depth_sheet(depths: Array, stresses: Mapping[str, Array], greatest: Mapping[str, tuple[float, float]]) -> Sheet:
-    """Return the greatest stresses at each depth, and the greatest of all.
-
-    Parameters
-    ----------
-    depths : ndarray, (n,)
-        [m].
-    stresses
-        ``von_mises``, ``max_shear`` and ``orthogonal_shear`` -> the greatest at each depth [Pa].
-    greatest
-        The same -> the greatest of all [Pa], and its depth [m].
-    """
-    drawn = [series(name, content, ContactStressSolution) for name, content in stresses.items()]
-    stress = dataclasses.replace(drawn[0], content=np.concatenate([one.content for one in drawn]))
-    depth = series("z", depths)
-    marks = [among(place, one.content, depth.content, NAMES[one.name]) for place, one in enumerate(drawn)]
-    values, places = np.transpose([greatest[name] for name in stresses])
-    marks.append(points(values, places, style.INK, size=5.0))
-    across = dataclasses.replace(
-        PanelAxis.of(stress, common_scale(*drawn), low=0.0, high=ROOM * float(np.max(values))),
-        label="greatest stress at a depth",
-    )
-    upright = PanelAxis.of(depth, depth.scale, low=float(np.max(depth.content)), high=0.0)
-    shear, deep = greatest["max_shear"]
-    title = f"greatest shear stress {with_unit(shear, 'Pa')} at a depth of {with_unit(deep, 'm')}"
-    return Sheet((Panel(tuple(marks), across, upright),), below=len(drawn), width=5.4, height=3.8, title=title)
 
 
 def _width(item: ContactStressSolution) -> float:

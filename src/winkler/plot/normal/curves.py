@@ -14,9 +14,8 @@ from winkler.plot.extent import has_tensile_singularity, is_singular, marks_of
 from winkler.plot.medium import OFFSET_FROM_AXIS
 from winkler.plot.panel import Area, Line, Panel, PanelAxis, Text, note, points, zero
 from winkler.plot.series import Curve, Series, places, scale_of, series, with_unit
-from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.answer import Restorable
-from winkler.problems.normal.indentation import IndentationSolution
+from winkler.values.checks.contract import is_a
 
 MOST_MARKED_POINTS = 40
 """Points of a curve are marked individually up to this number."""
@@ -60,7 +59,7 @@ def surface(solution: Restorable, extent: float) -> SurfaceFields:
     return restore(solution, places(extent, marks_of(solution.pressed), count=320))
 
 
-def load_curves(solution: IndentationSolution | AdhesiveSolution) -> dict[str, Curve]:
+def load_curves(solution: Any) -> dict[str, Curve]:
     """Return force, contact radius and stiffness over the depth, of a solution for many loads.
 
     The stiffness is left out for adhesive contacts, where it diverges at pull-off.
@@ -71,7 +70,8 @@ def load_curves(solution: IndentationSolution | AdhesiveSolution) -> dict[str, C
         return series(name, np.ravel(getattr(solution, name))[order])
 
     depth = sorted_series("depth")
-    names = ("force", "radius") if isinstance(solution, AdhesiveSolution) else ("force", "radius", "stiffness")
+    adheres = is_a(solution, "winkler.problems.adhesion.indentation:AdhesiveSolution")
+    names = ("force", "radius") if adheres else ("force", "radius", "stiffness")
     return {name: Curve(depth, sorted_series(name)) for name in names}
 
 

@@ -6,8 +6,8 @@ Widths are those of DejaVu Sans, which is wider than the fonts that stand in for
 from __future__ import annotations
 
 import re
+from html import escape
 from typing import NamedTuple
-from xml.sax.saxutils import escape
 
 from winkler.values.errors import InvalidInput
 from winkler.values.readable import GREEK
@@ -245,6 +245,6 @@ def _spans(runs: list[Run], size: float) -> str:
         look += f' font-size="{run.size * size:.3g}"' if run.size != 1.0 else ""
         look += f' dy="{(level - run.rise) * size:.3g}"' if run.rise != level else ""
         level = run.rise
-        text = escape(run.text).replace("  ", " \u00a0")  # of two spaces a page shows one
+        text = escape(run.text, quote=False).replace("  ", " \u00a0")  # of two spaces a page shows one
         found.append(f"<tspan{look}>{text}</tspan>" if look else text)
     return "".join(found)

@@ -66,8 +66,9 @@ class SlipSums:
 
     def ring(self, start: float, stop: float) -> Moments:
         """Return the sums of 1 [N/m], of stop - gap [N] and of its square [J] over the springs between two gaps."""
-        zeroth, first, second = self.at(start)
-        outer, width = self.at(stop), stop - start
+        points = self._points
+        zeroth, first, second = points.get(start) or self.at(start)
+        outer, width = points.get(stop) or self.at(stop), stop - start
         if width < NARROW_RING * stop and start > 0.0:
             return outer[0] - zeroth, *self.states.between(start, zeroth, stop)
         return (

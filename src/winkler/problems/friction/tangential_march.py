@@ -212,7 +212,7 @@ def slip_reach(row: Any, state: SlipState, start: SlipGoal, goal: SlipGoal) -> S
     """Return the state and the costs of `Row.reach`, summed up; pieces of trial steps are forgotten."""
     cells = cells_of(row)
     stack, mark = cells.stack, cells.stack.used[0]
-    end = halved(row, state, start, goal)
+    end = slip_step(cells, state, goal) if start.depth == goal.depth else halved(row, state, start, goal)
     top = settled(stack, end.state.top, mark)
     within(stack, cells.table, top)
     return top, end.state.dragged, end.state.depth, end.state.shift, end.work, end.lost

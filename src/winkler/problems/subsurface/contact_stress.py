@@ -11,8 +11,7 @@ Palmgren rate the life of bearings by it.  Of Hertz's ellipse that rolls along t
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import ClassVar, NamedTuple
+from typing import ClassVar
 
 import numpy as np
 
@@ -28,12 +27,12 @@ from winkler.problems.line.layered_stress import greatest_in_part
 from winkler.problems.line.peak_pressure import is_sharp, rim_load
 from winkler.problems.line.stress import Strip
 from winkler.problems.normal.elliptic import EllipticIndentation, EllipticSolution
-from winkler.problems.normal.greatest_stress import greatest_stress, least_depth
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
 from winkler.problems.normal.onset.ellipse_in_layers import EllipseInLayers, refuse_slender, sum_error
 from winkler.problems.normal.onset.part_onset import NAME
 from winkler.problems.normal.strong_parts import StrongPart, elastic_parts
 from winkler.problems.one_load import single
+from winkler.problems.subsurface.below_disc import NO_CONTACT, Deepest, Search, below_disc
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note, standing_of
 from winkler.values.value import value, words
@@ -42,18 +41,6 @@ __all__ = ["ContactStress", "ContactStressSolution", "PartStress"]
 
 FINE, COARSE = 0.05, 0.2
 """Error of stresses up to which they count as fine, and as coarse."""
-NO_CONTACT = "ContactStress: the bodies do not touch, so there are no stresses; press harder."
-
-
-class _Greatest(NamedTuple):
-    """A stress [Pa], how deep it is the greatest [m], below zero in the second body, and its relative error."""
-
-    value: float
-    depth: float
-    error: float = 0.0
-
-
-_Search = Callable[[StrongPart, tensor.Measure], _Greatest]
 
 
 @value
@@ -142,7 +129,7 @@ class ContactStress:
         """
         contact = self.contact.solve()
         find = _search(contact)
-        kinds = [tensor.von_mises, tensor.max_shear, tensor.orthogonal_shear]
+        kinds = [*tensor.KINDS]
         if isinstance(contact, EllipticSolution):
             along = contact.longitudinal_semi_axis >= contact.lateral_semi_axis
             kinds.append(tensor.longitudinal_shear if along else tensor.lateral_shear)
@@ -271,42 +258,22 @@ def _greatest(rows: list[PartStress], kind: str) -> tuple[float, float]:
     return getattr(worst, kind), getattr(worst, f"{kind}_depth")
 
 
-def _search(contact: IndentationSolution | EllipticSolution | LineSolution) -> _Search:
+def _search(contact: IndentationSolution | EllipticSolution | LineSolution) -> Search:
     """Return what finds the greatest stress of a kind in a part below one contact."""
     if isinstance(contact, IndentationSolution):
-        return _below_disc(contact)
+        return below_disc(contact)
     if isinstance(contact, LineSolution):
         return _below_strip(contact)
     return _below_ellipse(contact)
 
 
-def _below_disc(contact: IndentationSolution) -> _Search:
-    pressed = contact.pressed
-    if pressed.radius == 0.0:
-        raise OutsideValidity(NO_CONTACT)
-
-    def find(part: StrongPart, measure: tensor.Measure) -> _Greatest:
-        place = greatest_stress(pressed, part, fine=True, measure=measure)
-        if place.sharp:
-            raise OutsideValidity(f"ContactStress: {place.sharp}; round it off, or restore the fields beside it.")
-        if place.z < 1.001 * least_depth(pressed):
-            raise OutsideValidity(
-                f"ContactStress: the greatest {measure.__name__} in the {part.name} lies less than {place.z:.3g} m "
-                "below the surface, where stresses in a power law are not implemented; request the stresses at given "
-                "depths, or give a DepthGradedHalfSpace."
-            )
-        return _Greatest(place.value, place.z if part.first else -place.z)
-
-    return find
-
-
-def _below_ellipse(contact: EllipticSolution) -> _Search:
+def _below_ellipse(contact: EllipticSolution) -> Search:
     problem = contact.problem
     if isinstance(problem.medium, HalfSpace):
 
-        def find(part: StrongPart, measure: tensor.Measure) -> _Greatest:
+        def find(part: StrongPart, measure: tensor.Measure) -> Deepest:
             spot = contact.greatest_stress(measure=measure.__name__, below=part.first)
-            return _Greatest(spot.value, spot.z if part.first else -spot.z)
+            return Deepest(spot.value, spot.z if part.first else -spot.z)
 
         return find
     force = float(single(contact.force, "stresses"))
@@ -317,14 +284,14 @@ def _below_ellipse(contact: EllipticSolution) -> _Search:
     refuse_slender("ContactStress", "take a LineIndentation of its middle", (float(axes[0]), float(axes[1])))
     inside = EllipseInLayers(bodies, problem.medium, (0.0, 0.0))
 
-    def find_in_layers(part: StrongPart, measure: tensor.Measure) -> _Greatest:
+    def find_in_layers(part: StrongPart, measure: tensor.Measure) -> Deepest:
         fine, coarse = (inside.greatest(force, part, measure, coarse=coarse) for coarse in (False, True))
-        return _Greatest(fine.value, fine.z, sum_error(coarse.value, fine.value))
+        return Deepest(fine.value, fine.z, sum_error(coarse.value, fine.value))
 
     return find_in_layers
 
 
-def _below_strip(contact: LineSolution) -> _Search:
+def _below_strip(contact: LineSolution) -> Search:
     """Return the search below the strip of a line contact under one load, that touches and is nowhere sharp."""
     force, bed = float(single(contact.force_per_length, "stresses")), contact.problem.bed
     if force == 0.0:
@@ -334,13 +301,13 @@ def _below_strip(contact: LineSolution) -> _Search:
     if is_sharp(bed, half_width, edge_load):
         raise OutsideValidity("ContactStress: the stress below a sharp tip, kink or rim is infinite; round it off.")
 
-    def find(part: StrongPart, measure: tensor.Measure) -> _Greatest:
+    def find(part: StrongPart, measure: tensor.Measure) -> Deepest:
         deep = greatest_in_part(bed, Strip(half_width, edge_load), part, 0.0, measure=in_strip(measure))
-        return _Greatest(deep.value, deep.z)
+        return Deepest(deep.value, deep.z)
 
     return find
 
 
-def _along_cylinder(contact: LineSolution, across: _Greatest) -> _Greatest:
+def _along_cylinder(contact: LineSolution, across: Deepest) -> Deepest:
     """Return the shear stress along a cylinder, none, at the depth where that of long ellipses is the greatest."""
-    return _Greatest(0.0, float(np.copysign(contact.half_width, across.depth)))
+    return Deepest(0.0, float(np.copysign(contact.half_width, across.depth)))

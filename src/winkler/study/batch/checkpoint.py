@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any
 
 from winkler.io.software import differences
-from winkler.study.chapters.kind import path_of
 from winkler.study.language.canonical import digest_of
+from winkler.values.checks.contract import path_of
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value
 

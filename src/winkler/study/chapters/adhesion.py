@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from winkler.study.chapters.answer import TENSE, Caption, Chapter, Equation, PicturedContact, answer
-from winkler.study.chapters.kind import is_a, kind
+from winkler.study.chapters.kind import kind
 from winkler.study.chapters.normal import bed_formulas
+from winkler.values.checks.contract import is_a
 
 APPROACH_AND_RETRACTION = [
     {"from": "-5 nm", "to": "5 nm", "count": 41},

@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
-from winkler.study.chapters.kind import is_a, kind
+from winkler.study.chapters.kind import kind
 from winkler.study.chapters.lines.line import LOAD, LOAD_PROFILE, ROLLER
 from winkler.study.chapters.normal import HOMOGENEOUS, normal_formulas
+from winkler.values.checks.contract import is_a
 
 SILVER = {"kind": "electrical_conductor", "resistivity": "15.9 nohm m"}
 STEEL = {"kind": "thermal_conductor", "conductivity": "45 W/(m K)", "diffusivity": "12 mm^2/s"}

@@ -11,7 +11,7 @@ from winkler.study.chapters.conduction import CONDUCTION
 from winkler.study.chapters.friction import FRICTION
 from winkler.study.chapters.heating import HEATING
 from winkler.study.chapters.impact import IMPACT
-from winkler.study.chapters.kind import Kind, path_of
+from winkler.study.chapters.kind import Kind
 from winkler.study.chapters.lines.line import LINE
 from winkler.study.chapters.lines.line_friction import LINE_FRICTION
 from winkler.study.chapters.lines.line_profiles import LINE_PROFILES
@@ -36,6 +36,7 @@ from winkler.study.chapters.surface_rolling import SURFACE_ROLLING
 from winkler.study.chapters.viscoelastic import VISCOELASTIC
 from winkler.study.chapters.viscoelastic_surfaces import VISCOELASTIC_SURFACES
 from winkler.study.chapters.wear import WEAR
+from winkler.values.checks.contract import path_of
 
 CHAPTERS: tuple[Chapter, ...] = (
     NORMAL,

@@ -6,9 +6,10 @@ from typing import Any
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.friction import tangential_formulas
-from winkler.study.chapters.kind import is_a, kind
+from winkler.study.chapters.kind import kind
 from winkler.study.chapters.lines.line import LOAD, LOAD_PROFILE, PRESSURE, ROLLER
 from winkler.study.chapters.normal import ELLIPSE, MODULUS, normal_formulas
+from winkler.values.checks.contract import is_a
 
 STEEL = {"kind": "thermal_conductor", "conductivity": "45 W/(m K)", "diffusivity": "12 mm^2/s"}
 STEELS: dict[str, Any] = {"kind": "heat_conductors", "first": STEEL, "second": STEEL}

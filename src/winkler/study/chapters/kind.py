@@ -67,16 +67,6 @@ def _loaded(path: str) -> Any:
     return getattr(importlib.import_module(module), name)
 
 
-def path_of(cls: type) -> str:
-    """Return the path of a class in a line of the catalogue."""
-    return f"{cls.__module__}:{cls.__qualname__}"
-
-
-def is_a(content: Any, *paths: str) -> bool:
-    """Return whether a value is of one of the classes, named by their paths; none of them is loaded for it."""
-    return any(path_of(base) in paths for base in type(content).__mro__)
-
-
 def kind(
     path: str,
     /,

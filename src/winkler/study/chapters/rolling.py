@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
-from winkler.study.chapters.kind import is_a, kind
+from winkler.study.chapters.kind import kind
 from winkler.study.chapters.normal import plane_profile_formula
+from winkler.values.checks.contract import is_a
 
 PRESSED = {"kind": "force", "force": "100 N"}
 CREEPING = {"kind": "creepages", "longitudinal": 0.001}

@@ -6,10 +6,10 @@ from typing import Any
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.heating import STEELS
-from winkler.study.chapters.kind import is_a
 from winkler.study.chapters.rough import ELEMENTS
 from winkler.study.chapters.surface_friction import CERRUTI
 from winkler.study.chapters.surface_rolling import COULOMB, PASSED, WHEEL
+from winkler.values.checks.contract import is_a
 
 PULLS = {
     "kind": "surface_rolling",

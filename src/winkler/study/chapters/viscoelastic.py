@@ -7,8 +7,8 @@ from typing import Any
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
 from winkler.study.chapters.impact import EQUATION_OF_MOTION
-from winkler.study.chapters.kind import is_a
 from winkler.study.chapters.normal import BACK, PLANE, PLANE_FOUNDATION
+from winkler.values.checks.contract import is_a
 
 BED = {"kind": "foundation", "medium": {"kind": "viscoelastic_half_space"}}
 DECADES = {"from": "1 ms", "to": "10 s", "count": 33, "spacing": "log"}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer, followed_by
-from winkler.study.chapters.kind import is_a, kind
+from winkler.study.chapters.kind import kind
 from winkler.study.chapters.normal import BACK, PLANE_FOUNDATION
 from winkler.study.chapters.viscoelastic import (
     BED,
@@ -15,6 +15,7 @@ from winkler.study.chapters.viscoelastic import (
     SPRINGS,
     relaxing_formulas,
 )
+from winkler.values.checks.contract import is_a
 
 ALONG = Equation(
     "The tangential load of every spring is a hereditary integral of its displacement; normal and tangential moduli "

@@ -14,8 +14,9 @@ from typing import Any
 
 from winkler.study.chapters.bodies import BODIES
 from winkler.study.chapters.contents import CHAPTERS
-from winkler.study.chapters.kind import Kind, kind, path_of
+from winkler.study.chapters.kind import Kind, kind
 from winkler.study.chapters.relaxing_bodies import RELAXING_BODIES
+from winkler.values.checks.contract import path_of
 
 
 def _merged(*tables: dict[str, dict[str, Kind]]) -> dict[str, dict[str, Kind]]:

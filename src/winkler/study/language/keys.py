@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from winkler.study.chapters.kind import is_a
+from winkler.values.checks.contract import is_a
 from winkler.values.errors import InvalidInput, suggest
 from winkler.values.limits import KEY_LETTERS
 from winkler.values.readable import scale_of

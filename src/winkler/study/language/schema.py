@@ -31,13 +31,13 @@ from pydantic import (
 from pydantic_core import PydanticCustomError
 
 from winkler.numerics.types import Array
-from winkler.study.chapters.kind import Kind, path_of
+from winkler.study.chapters.kind import Kind
 from winkler.study.language import json_forms, maps, quantities
 from winkler.study.language.catalogue import CATALOGUE, SLOTS, UNWRITTEN, kinds
 from winkler.study.language.json_forms import checked
 from winkler.study.language.kind_of_table import either_file_or, refuse_kind, value_text
 from winkler.study.language.quantities import WHERE, wrong
-from winkler.values.checks.contract import stands_for
+from winkler.values.checks.contract import path_of, stands_for
 from winkler.values.checks.field_checks import numbers_taken
 from winkler.values.errors import suggest
 from winkler.values.units import format_quantity

@@ -16,8 +16,9 @@ from winkler.plot.series import Series
 from winkler.study.nanoindentation.running import Evaluated, NanoindentationOutcome
 from winkler.study.report import page_parts as parts
 from winkler.study.report.figure import ReportFigure, drawn
+from winkler.study.report.fit_tables import batch_section
 from winkler.study.report.markup import number, safe, section, table
-from winkler.study.report.tables import batch_section, expected_section
+from winkler.study.report.tables import expected_section
 from winkler.study.report.thumbnails import ThumbnailOf, thumbnails_section
 from winkler.values.readable import with_unit
 from winkler.values.validity import Standing

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from winkler.study.chapters.answer import Caption
 from winkler.study.chapters.contents import answer_of
-from winkler.study.chapters.kind import is_a
+from winkler.values.checks.contract import is_a
 
 HOLD_A_CONTACT = (
     "winkler.problems.rough.surface_conduction:SurfaceConductionSolution",

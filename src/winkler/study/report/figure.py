@@ -83,7 +83,7 @@ def svg_element(shown: ReportFigure, description: str) -> str:
 def figure_files(shown: tuple[ReportFigure, ...], formats: tuple[str, ...]) -> dict[str, bytes]:
     """Return every figure in every format: name in the folder of results -> content."""
     return {
-        f"figures/{one.name}.{ending}": picture_file(one.sheet, ending, dpi=200)
+        f"figures/{one.name}.{ending}": picture_file(one.sheet, ending, one.drawing, dpi=200)
         for one in shown
         if one.sheet is not None
         for ending in formats

@@ -2,24 +2,22 @@
 
 from __future__ import annotations
 
+import contextlib
 import re
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from winkler.loading.loads import Depth
 from winkler.media.halfspace import HalfSpace
+from winkler.media.interior.tensor import KINDS
 from winkler.numerics.types import Array
 from winkler.plot.families import bar_sheet, family_sheet
-from winkler.plot.method import Contact, method_sheet, pictures_of
+from winkler.plot.method import adheres, method_sheet, pictures_of
+from winkler.plot.normal.depths import depth_sheet, disc_sheet
 from winkler.plot.panel import Sheet
 from winkler.plot.series import Series, name_in_words
-from winkler.problems.adhesion.indentation import AdhesiveSolution
-from winkler.problems.line.indentation import LineSolution
-from winkler.problems.normal.elliptic import EllipticSolution
-from winkler.problems.normal.indentation import Indentation, IndentationSolution
-from winkler.problems.subsurface.contact_stress import ContactStress, ContactStressSolution
+from winkler.problems.normal.indentation import IndentationSolution
 from winkler.study.batch.outcome import Outcome
 from winkler.study.batch.points import SolvedPoint
 from winkler.study.chapters.answer import ALONG, Answer
@@ -32,15 +30,20 @@ from winkler.study.language.varied import Axis
 from winkler.study.report.describe import content_label, setting_text, settings_text
 from winkler.study.report.extra_pictures import ExtraPicture, extra_pictures
 from winkler.study.report.figure import ReportFigure, capital, drawn
-from winkler.study.report.headline.elastic_state import MEASURES, MOST_PIXELS, pressed_map
+from winkler.study.report.headline.elastic_state import MOST_PIXELS, pressed_map
 from winkler.study.report.headline.shown_contact import medium_of, shown_contact, shown_point, stressed_contact
 from winkler.study.report.sweep_figures import clouds, mapped, maps, parts, varied_series
 from winkler.study.report.variation import variation_shows
+from winkler.values.checks.contract import is_a
 from winkler.values.errors import InvalidInput, OutsideValidity, WinklerError
+
+if TYPE_CHECKING:
+    from winkler.plot.method import Contact
 
 MOST_CURVES = 24
 """Curves in one figure; the table holds all."""
 MOST_BARS = 40
+FLAT = "winkler.problems.normal.elliptic:EllipticSolution", "winkler.problems.line.indentation:LineSolution"
 CHECKS = ("misfit", "imbalance", "balance", "penetration", "mismatch", "freedom")
 """Answers that check others, beside those that end in ``_error``."""
 
@@ -57,7 +60,7 @@ def _of_method(outcome: Outcome, contact: Contact) -> Iterator[ReportFigure]:
     answer = answer_of(shown_point(outcome).problem)
     if answer.pictured is Shows.EDGE and answer.picture is not None:  # which shows F(d) along the path of the edge
         wanted = tuple(name for name in wanted if name != "force")
-    captions = captions_of(sticks=isinstance(contact, AdhesiveSolution))
+    captions = captions_of(sticks=adheres(contact))
     for name in wanted:
         try:
             yield drawn(name, *captions[name], method_sheet(name, contact))
@@ -65,30 +68,10 @@ def _of_method(outcome: Outcome, contact: Contact) -> Iterator[ReportFigure]:
             yield ReportFigure(name, *captions[name], None, missing=re.sub(r"^\w+: ", "", str(error)))
 
 
-def _stresses_inside(found: Any) -> ContactStressSolution | None:
-    """Return the greatest stresses inside homogeneous bodies; None where they are infinite or not known.
-
-    Parameters
-    ----------
-    found
-        A contact, as of `stressed_contact`.
-    """
-    if not isinstance(medium_of(found), HalfSpace):
-        return None
-    try:
-        if isinstance(found, IndentationSolution):
-            return ContactStress(Indentation(found.problem.bed, Depth(float(np.ravel(found.depth)[-1])))).solve()
-        if isinstance(found, EllipticSolution | LineSolution) and np.size(found.peak_pressure) == 1:
-            return ContactStress(found.problem).solve()
-    except (InvalidInput, OutsideValidity):
-        pass
-    return None
-
-
 def _below(outcome: Outcome) -> Iterator[ReportFigure]:
     """Yield the stresses over the depth below a contact, where they are no answer already."""
     point = shown_point(outcome)
-    if isinstance(point.solution, ContactStressSolution):
+    if is_a(point.solution, "winkler.problems.subsurface.contact_stress:ContactStressSolution"):
         return
     found = _stresses_over_depth(point)
     if found is None:
@@ -104,11 +87,16 @@ def _below(outcome: Outcome) -> Iterator[ReportFigure]:
 
 def _stresses_over_depth(point: SolvedPoint) -> tuple[Sheet, str] | None:
     """Return the greatest stresses at each depth below a contact or a map, and of which; None if they are not known."""
-    from winkler.plot.normal.below_contact import contact_stress_sheet, depth_sheet
+    contact = stressed_contact(point)
+    if isinstance(medium_of(contact), HalfSpace):
+        with contextlib.suppress(InvalidInput, OutsideValidity):  # stresses are infinite, or not known
+            if isinstance(contact, IndentationSolution):
+                return disc_sheet(contact.problem.bed, float(np.ravel(contact.depth)[-1])), ""
+            if is_a(contact, *FLAT) and np.size(contact.peak_pressure) == 1:
+                from winkler.plot.normal.below_contact import contact_stress_sheet
+                from winkler.problems.subsurface.contact_stress import ContactStress
 
-    inside = _stresses_inside(stressed_contact(point))
-    if inside is not None:
-        return contact_stress_sheet(inside), ""
+                return contact_stress_sheet(ContactStress(contact.problem).solve()), ""
     found = pressed_map(point)
     if found is None or not isinstance(found[0], HalfSpace) or found[1].pressure.size > MOST_PIXELS:
         return None
@@ -117,8 +105,8 @@ def _stresses_over_depth(point: SolvedPoint) -> tuple[Sheet, str] | None:
 
     medium, load, under = found
     part = solid_parts(medium)[0]
-    below = greatest_below((load if part.first else load.reversed()).field(part.solid.poisson), MEASURES, rounds=2)
-    names = [measure.__name__ for measure in MEASURES]
+    below = greatest_below((load if part.first else load.reversed()).field(part.solid.poisson), KINDS, rounds=2)
+    names = [measure.__name__ for measure in KINDS]
     greatest = {name: (spot.value, spot.z) for name, spot in zip(names, below.greatest, strict=True)}
     tractions = "with its tractions" if np.any(load.loads[1:]) else "without friction"
     return depth_sheet(below.depths, dict(zip(names, below.values, strict=True)), greatest), f"{under}, {tractions}"

@@ -24,12 +24,12 @@ from winkler.study.report import page_parts as parts
 from winkler.study.report.describe import inputs
 from winkler.study.report.examined.sections import further_figures, further_section
 from winkler.study.report.figure import ReportFigure, drawn
-from winkler.study.report.fit_tables import MOST_ROWS, answers, counts, doubts, failures
+from winkler.study.report.fit_tables import MOST_ROWS, answers, batch_section, counts, doubts, failures
 from winkler.study.report.fit_writing import CSV, MAPS, MOST_CURVES_AS_TEXT, NETCDF, map_grid
 from winkler.study.report.fits.pages import curve_facts, noise_figure
 from winkler.study.report.markup import assumed_line, safe, section, table
 from winkler.study.report.mathml import formula
-from winkler.study.report.tables import batch_section, given_rows
+from winkler.study.report.tables import given_rows
 from winkler.study.report.thumbnails import ThumbnailOf, thumbnails_section
 from winkler.values.readable import with_unit
 

@@ -2,22 +2,53 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from winkler.fitting.several.standing_out import LEAST_STATED, BatchQuantity
 from winkler.plot.series import middle_scale
 from winkler.study.batch.fit_outcome import FitOutcome, Fitted, interval_of
 from winkler.study.language.fit_study import Free
 from winkler.study.report.fit_writing import CSV
 from winkler.study.report.markup import number, safe, section, table
 from winkler.study.report.mathml import symbol
+from winkler.study.report.tables import MOST_ROWS as LISTED
 from winkler.study.report.tables import reason_list
 from winkler.values.readable import with_unit
 from winkler.values.vocabulary import Word
 
 MOST_ROWS = 40
 """Longer tables are cut; the CSV file holds all rows."""
+
+
+def batch_section(
+    title: str, quantities: Sequence[BatchQuantity], doubts: Sequence[tuple[str, tuple[str, ...]]], file: str
+) -> str:
+    """Return median and scatter of the curves of a batch, and which are doubtful; empty if there is nothing to say.
+
+    Parameters
+    ----------
+    title
+    quantities
+        Of the curves that count.
+    doubts
+        Names of curves with sentences.
+    file
+        Name of the table that holds all curves.
+    """
+    parts = []
+    if quantities and len(quantities[0].numbers) >= LEAST_STATED:
+        rows = [
+            f"<tr><td>{safe(one.name)}</td>{number(safe(one.text(one.median, 4)))}"
+            f"{number(safe(one.text(one.deviation, 2)))}</tr>"
+            for one in quantities
+        ]
+        parts.append(table([f"of {len(quantities[0].numbers)} curves", "#median", "#median absolute deviation"], rows))
+    if doubts:
+        lines = [(name, " ".join(each)) for name, each in doubts]
+        parts += ["<p>Doubtful are:</p>", *reason_list(lines, LISTED, file)]
+    return section(title, *parts) if parts else ""
 
 
 def counts(outcome: FitOutcome) -> str:

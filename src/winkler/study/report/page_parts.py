@@ -8,11 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from winkler.study.batch.outcome import Provenance
 from winkler.study.chapters.answer import Equation
-from winkler.study.language.fit_study import FitStudy
 from winkler.study.language.study import Study
 from winkler.study.report.citing import cite
 from winkler.study.report.figure import ReportFigure, figure_files, svg_element
@@ -21,6 +20,9 @@ from winkler.study.report.markup import badge, safe, section, table
 from winkler.study.report.mathml import formula
 from winkler.values.readable import with_readable_numbers
 from winkler.values.validity import Note, Standing
+
+if TYPE_CHECKING:
+    from winkler.study.language.fit_study import FitStudy
 
 WIDE_FIGURE = 504.0
 """Width [pt] above which figures, panels side by side, take both columns of the page."""
@@ -118,7 +120,7 @@ def code_section(study: Study | FitStudy, name: str) -> str:
     return section(
         "The same results elsewhere",
         folded("As Python", python_text(study, name)),
-        folded("As commands in a terminal", command_text(name, fits=isinstance(study, FitStudy))),
+        folded("As commands in a terminal", command_text(name, fits=not isinstance(study, Study))),
     )
 
 

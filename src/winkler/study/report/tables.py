@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from winkler.fitting.several.standing_out import LEAST_STATED, BatchQuantity
 from winkler.plot.series import middle_scale, name_in_words
 from winkler.study.batch.events import EVENTS, Event
 from winkler.study.batch.outcome import Outcome, ResultColumn
@@ -24,35 +23,6 @@ from winkler.values.readable import with_unit
 
 MOST_ROWS = 24
 """Longer tables are cut in the middle; the CSV file holds all rows."""
-
-
-def batch_section(
-    title: str, quantities: Sequence[BatchQuantity], doubts: Sequence[tuple[str, tuple[str, ...]]], file: str
-) -> str:
-    """Return median and scatter of the curves of a batch, and which are doubtful; empty if there is nothing to say.
-
-    Parameters
-    ----------
-    title
-    quantities
-        Of the curves that count.
-    doubts
-        Names of curves with sentences.
-    file
-        Name of the table that holds all curves.
-    """
-    parts = []
-    if quantities and len(quantities[0].numbers) >= LEAST_STATED:
-        rows = [
-            f"<tr><td>{safe(one.name)}</td>{number(safe(one.text(one.median, 4)))}"
-            f"{number(safe(one.text(one.deviation, 2)))}</tr>"
-            for one in quantities
-        ]
-        parts.append(table([f"of {len(quantities[0].numbers)} curves", "#median", "#median absolute deviation"], rows))
-    if doubts:
-        lines = [(name, " ".join(each)) for name, each in doubts]
-        parts += ["<p>Doubtful are:</p>", *reason_list(lines, MOST_ROWS, file)]
-    return section(title, *parts) if parts else ""
 
 
 def question_section(outcome: Outcome) -> str:

@@ -12,7 +12,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-__all__ = ["described", "is_protocol", "keeps", "lacking", "of_kinds", "offered", "stands_for"]
+__all__ = ["described", "is_a", "is_protocol", "keeps", "lacking", "of_kinds", "offered", "path_of", "stands_for"]
 
 K = TypeVar("K")
 NO_PART = (float, int, bool, complex, str, bytes, tuple, list, dict, set, object, type(None), np.ndarray)
@@ -56,6 +56,16 @@ def of_kinds(kinds: tuple[type, ...]) -> Callable[[Any], bool]:
         return any(not _missing(part, kind) for kind in protocols)
 
     return fits
+
+
+def path_of(cls: type) -> str:
+    """Return module and name of a class, as ``"winkler.loading.loads:Force"``."""
+    return f"{cls.__module__}:{cls.__qualname__}"
+
+
+def is_a(content: Any, *paths: str) -> bool:
+    """Return whether a value is of one of the classes, named by their paths; none of them is loaded for it."""
+    return any(path_of(base) in paths for base in type(content).__mro__)
 
 
 def stands_for(made: type, kind: type) -> bool:

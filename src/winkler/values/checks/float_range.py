@@ -6,6 +6,7 @@ import contextlib
 import dataclasses
 import functools
 import math
+import threading
 from collections.abc import Callable, Hashable, Iterator
 from typing import Any, ParamSpec, TypeVar
 
@@ -19,6 +20,8 @@ __all__ = ["guarded", "guarded_result", "guarded_stream"]
 P = ParamSpec("P")
 R = TypeVar("R")
 
+_guarded = threading.local()
+"""The problem whose solver is guarded now, in this thread."""
 ARITHMETIC_FAULTS = (TypeError, ValueError, AttributeError, ArithmeticError, LookupError, RuntimeError)
 """What numbers that have left the range may end in."""
 
@@ -55,6 +58,9 @@ def guarded_stream(steps: Callable[..., Iterator[Any]]) -> Callable[..., Iterato
     @functools.wraps(steps)
     def streamed(self: Any, *positional: Any, **named: Any) -> Iterator[Any]:
         states = steps(self, *positional, **named)
+        if getattr(_guarded, "problem", None) is self:  # its solver asks, and is guarded itself
+            yield from map(_without_nan, states)
+            return
         while True:
             with _as_sentence(self):
                 try:
@@ -89,6 +95,8 @@ def _fields_of(kind: Hashable) -> tuple[str, ...]:
 @contextlib.contextmanager
 def _as_sentence(problem: Any) -> Iterator[None]:
     """Turn arithmetic that leaves the range of numbers into one sentence about a problem."""
+    outer = getattr(_guarded, "problem", None)
+    _guarded.problem = problem
     try:
         with np.errstate(over="raise", divide="raise", invalid="raise"):
             yield
@@ -111,3 +119,5 @@ def _as_sentence(problem: Any) -> Iterator[None]:
             f"{type(problem).__name__}: {why}, so that it cannot be computed ({error}); check the numbers and their "
             "units."
         ) from error
+    finally:
+        _guarded.problem = outer

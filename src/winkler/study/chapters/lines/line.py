@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from winkler.study.chapters.answer import TENSE, Caption, Chapter, Equation, PicturedContact, answer
-from winkler.study.chapters.kind import is_a, kind
+from winkler.study.chapters.kind import kind
 from winkler.study.chapters.normal import MODULUS, ONSET, STRONG
+from winkler.values.checks.contract import is_a
 
 ROLLER = {"kind": "line_foundation", "profile": {"kind": "paraboloid"}}
 WAVES = {

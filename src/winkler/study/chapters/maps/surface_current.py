@@ -6,8 +6,9 @@ from typing import Any
 
 from winkler.study.chapters.answer import Caption, Chapter, Equation, PicturedContact, answer
 from winkler.study.chapters.conduction import KOHLRAUSCH, PLATING
-from winkler.study.chapters.kind import is_a, kind
+from winkler.study.chapters.kind import kind
 from winkler.study.chapters.rough import ELEMENTS, STAMP
+from winkler.values.checks.contract import is_a
 
 GOLD: dict[str, Any] = {"kind": "electrical_conductor", "resistivity": "22 nohm m"}
 BRONZE: dict[str, Any] = {"kind": "electrical_conductor", "resistivity": "110 nohm m"}

@@ -7,16 +7,18 @@ import enum
 import math
 from collections.abc import Mapping
 from pathlib import PurePath
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from winkler.loading.path_steps import Unchanged
 from winkler.study.chapters.contents import answer_of
 from winkler.study.finding.finding import public_names
 from winkler.study.language.designs import Crossed
-from winkler.study.language.fit_study import FitStudy
 from winkler.study.language.study import Study
+from winkler.values.checks.contract import is_a
+
+if TYPE_CHECKING:
+    from winkler.study.language.fit_study import FitStudy
 
 MOST_NUMBERS = 400
 """Numbers of an array that are written out; a study with larger ones is read from its file."""
@@ -64,7 +66,7 @@ def python_text(study: Study | FitStudy, name: str = "study.toml") -> str:
     name
         Name of its file.
     """
-    if isinstance(study, FitStudy):
+    if not isinstance(study, Study):
         return _from_file(name, *FITTED)
     try:
         writer = _ProblemText(study)
@@ -148,7 +150,7 @@ class _ProblemText:
         parts = []
         for field in dataclasses.fields(content):
             inside = getattr(content, field.name)
-            if not field.init or isinstance(inside, Unchanged):
+            if not field.init or is_a(inside, "winkler.loading.path_steps:Unchanged"):
                 continue
             varied = any(
                 key == f"{path}.{field.name}" or key.startswith(f"{path}.{field.name}.") for key in self.variables

@@ -46,7 +46,6 @@ MOST_PIXELS = 256 * 256
 """Larger maps take seconds: their stresses are sought only if a strength was given, for which they are known."""
 ROUND = ("Paraboloid", "Sphere", "NoneType")
 """Profiles whose elastic stress is a power of the load; ellipses have none of their own."""
-MEASURES: tuple[tensor.Measure, ...] = (tensor.von_mises, tensor.max_shear, tensor.orthogonal_shear)
 
 
 class Deep(NamedTuple):
@@ -150,7 +149,7 @@ def _state(
     found = [(part, find(part, tensor.von_mises)) for part in parts]
     part, (stress, depth, _) = max(found, key=lambda one: (one[1].value / _strength(one[0]), one[1].value))
     shears = []
-    for measure in MEASURES[1:]:
+    for measure in tensor.KINDS[1:]:
         try:
             most = max(((find(one, measure), one.name) for one in parts), key=lambda one: one[0].value)
             shears.append(most[0]._replace(body=most[1] if len(parts) > 1 else ""))
@@ -394,8 +393,8 @@ def _map(point: SolvedPoint) -> ElasticState | None:
     @functools.cache
     def on_grid(part: StrongPart) -> dict[tensor.Measure, Deep]:
         field = (load if part.first else load.reversed()).field(part.solid.poisson)
-        spots = greatest_below(field, MEASURES, rounds=2, climbed=True).greatest
-        return {measure: Deep(spot.value, spot.z) for measure, spot in zip(MEASURES, spots, strict=True)}
+        spots = greatest_below(field, tensor.KINDS, rounds=2, climbed=True).greatest
+        return {measure: Deep(spot.value, spot.z) for measure, spot in zip(tensor.KINDS, spots, strict=True)}
 
     def find(part: StrongPart, measure: tensor.Measure) -> Deep:
         return on_grid(part)[measure]
