@@ -11,18 +11,6 @@ import typer
 if TYPE_CHECKING:
     from winkler.study.batch.pool import Workers
 
-__all__ = [
-    "AsJson",
-    "ClusterAddress",
-    "Output",
-    "Overwrite",
-    "Quiet",
-    "Settings",
-    "completion",
-    "refuse_existing",
-    "stated_workers",
-]
-
 Output = Annotated[
     Path | None,
     typer.Option("--output", "-o", help="Folder of the results; results/NAME unless the study states another one."),

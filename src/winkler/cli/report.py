@@ -11,8 +11,6 @@ import typer
 from winkler.cli.options import Settings, refuse_existing
 from winkler.cli.streams import write_line
 
-__all__ = ["report"]
-
 
 def report(
     study: Annotated[Path, typer.Argument(help="A study file (TOML) of a problem.", show_default=False)],

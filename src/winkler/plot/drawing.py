@@ -17,7 +17,6 @@ from winkler.media.halfspace import HalfSpace
 from winkler.plot.curves import curves_panel
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import around, checked_extent, typical
-from winkler.plot.method import Contact
 from winkler.plot.normal.body import body_panel
 from winkler.plot.normal.curves import (
     curve_panel,
@@ -130,11 +129,11 @@ def _profile(item: Shape, *, extent: float | None = None) -> Sheet:
 
 @sheet_of.register(IndentationSolution)
 @sheet_of.register(AdhesiveSolution)
-def _indentation(item: Contact, *, extent: float | None = None) -> Sheet:
+def _indentation(item: IndentationSolution | AdhesiveSolution, *, extent: float | None = None) -> Sheet:
     return contact_sheet(item, extent) if np.ndim(item.depth) == 0 else _curves_sheet(item, extent)
 
 
-def _curves_sheet(item: Contact, extent: float | None) -> Sheet:
+def _curves_sheet(item: IndentationSolution | AdhesiveSolution, extent: float | None) -> Sheet:
     if extent is not None:
         raise InvalidInput(
             "draw: curves over many loads have no extent; leave it out, or pick one load: solution.at(0)."

@@ -11,7 +11,7 @@ from winkler.plot.adhesion.equilibria import equilibrium_panel, pull_off_panel, 
 from winkler.plot.dispatch import without_extent
 from winkler.plot.extent import around
 from winkler.plot.medium import body_is_defined, stiffness_panel
-from winkler.plot.method import Contact, force, line_load, pressure
+from winkler.plot.method import force, line_load, pressure
 from winkler.plot.normal.body import contact_panel
 from winkler.plot.normal.springs import springs_panel
 from winkler.plot.panel import NO_CONTACT, Sheet, titled
@@ -21,9 +21,10 @@ from winkler.problems.adhesion.equilibrium import EquilibriumCurve
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.adhesion.pull_off import PullOffSolution
 from winkler.problems.adhesion.shear import AdhesiveShearSolution
+from winkler.problems.normal.indentation import IndentationSolution
 
 
-def contact_sheet(item: Contact, extent: float | None = None) -> Sheet:
+def contact_sheet(item: IndentationSolution | AdhesiveSolution, extent: float | None = None) -> Sheet:
     """Return body, springs, their load and pressure of one contact; with adhesion equilibria in place of the load.
 
     Parameters

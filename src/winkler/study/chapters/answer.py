@@ -120,14 +120,49 @@ class Answer(NamedTuple):
     live: bool = False
 
 
-def answer(path: str, /, *cites: str, formulas: Formulas | tuple[Equation, ...], **more: Any) -> Answer:
+def answer(
+    path: str,
+    /,
+    *cites: str,
+    question: str = "",
+    page: str = "",
+    headline: tuple[str, ...] = (),
+    formulas: Formulas | tuple[Equation, ...],
+    picture: Caption | None = None,
+    curves: tuple[tuple[str, str], ...] = (),
+    compared: tuple[str, ...] = (),
+    pictured: PicturedContact = PicturedContact.LOAD,
+    contact_shown: str = "",
+    verdict: str = "",
+    event: str = "",
+    says: Mapping[str, str] = MappingProxyType({}),
+    beyond: str = "",
+    live: bool = False,
+    **example: Any,
+) -> Answer:
     """Return a record: the path of the problem, its papers and an example as for `kind`, and the fields of `Answer`.
 
     Formulas in place of a function of the problem are the same for each problem of the kind.
     """
     made = (lambda problem: formulas) if isinstance(formulas, tuple) else formulas
-    own = {name: more.pop(name) for name in Answer._fields[2:] if name in more}
-    return Answer(kind(path, *cites, **more), made, **own)
+    line = kind(path, *cites, **example)
+    return Answer(
+        line,
+        made,
+        question,
+        page,
+        headline,
+        picture,
+        curves,
+        compared,
+        pictured,
+        contact_shown,
+        verdict,
+        event,
+        says,
+        beyond,
+        live,
+    )
 
 
 class Chapter(NamedTuple):

@@ -17,8 +17,6 @@ from winkler.study.chapters.contents import answer_of
 from winkler.study.report.variation import variation_shows
 from winkler.web.pictures.chart import Chart, chart
 
-__all__ = ["curves_of", "draw_curves", "title_of"]
-
 MOST_CURVES = 8
 """Most curves over one quantity."""
 
