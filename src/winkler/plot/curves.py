@@ -94,7 +94,7 @@ def curves_panel(
     steep = decades and (spans_decades(contents) or (bool(bounds) and least > 0.0)) if log is None else log
     steep = steep and most > 0.0
     marks: list[Any] = [Area(x, one.low[order], one.high[order], one.colour, 0.2, one.name) for one in bounds]
-    asked: list[Any] = []
+    asked: list[Any] = []  # above the lines, and behind them in the legend
     for place, one in enumerate(rows):
         content = np.where(np.isfinite(one.of.content), one.of.content, np.nan)[order]
         marks.append(among(place, x, content, one.name, most=dense, **one.look))
@@ -111,7 +111,7 @@ def curves_panel(
         low = max(float(np.min(contents[contents > 0.0])) / AXIS_FACTOR, 0.0 if log else LEAST_SHARE * most)
         ends = {"low": low, "high": AXIS_FACTOR * most, "log": True, "plain": True}
     elif least < 0.0:
-        marks.insert(0, zero())
+        asked.append(zero())
     elif from_zero(contents) is not None:
         shaded = [one.high[np.isfinite(one.high)] for one in bounds]
         top = max([most, *(float(np.max(part)) for part in shaded if part.size and np.max(part) < AXIS_FACTOR * most)])

@@ -7,7 +7,7 @@ import dataclasses
 import numpy as np
 
 from winkler.loading.loads import LineForce
-from winkler.plot.curves import answered, curves_panel
+from winkler.plot.curves import Quantity, answered, curves_panel
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Sheet
 from winkler.plot.series import row_of, with_unit
@@ -36,7 +36,7 @@ def line_constriction_sheet(item: LineConstrictionSolution) -> Sheet:
     contact = dataclasses.replace(item.problem.contact, load=LineForce(force))
     curve = dataclasses.replace(item.problem, contact=contact).solve()
     whole, *parts = (answered(curve, item, "force_per_length", name, label) for name, label in PARTS)
-    rows = [whole, *((part.of, part.name) for part in parts if np.any(part.of.content > 0.0))]
+    rows = [whole, *(Quantity(part.of, part.name) for part in parts if np.any(part.of.content > 0.0))]
     panel = curves_panel(row_of(curve, "force_per_length"), rows, label="resistance times length")
     single, found = np.ndim(item.half_width) == 0, float(np.ravel(item.resistance_per_length)[0])
     title = f"{with_unit(found, 'ohm m')} at {with_unit(float(requested[0]), 'N/m')}" if single else ""

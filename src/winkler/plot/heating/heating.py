@@ -146,7 +146,8 @@ def _speeds_panel(item: FrictionHeatingSolution) -> Panel:
     along = Series("speed of sliding", Word("v", "m/s", "speed of sliding"), speed)
     panel = curves_panel(along, rows, label="over that of bodies at rest [-]", log=least <= SMALL)
     low, high = (0.0, 1.7) if least > SMALL else (0.5 * least, 20.0)
-    return panel.plus(upright=dataclasses.replace(panel.upright, low=low, high=high))
+    upright = dataclasses.replace(panel.upright, low=low, high=high)
+    return panel.plus(upright=upright, legend="upper right", columns=2)
 
 
 @without_extent(TransientHeatingSolution)

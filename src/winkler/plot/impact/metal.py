@@ -29,8 +29,8 @@ def plastic_impact_sheet(item: PlasticImpactSolution) -> Sheet:
         )
     velocity, first = row_of(item, "velocity"), item.yield_velocity
     depth = row_of(item, "residual_depth")
-    left = np.where(depth.content > 0.0, row_of(item, "largest_radius").content, np.nan)  # a dent where they yield
-    dents = (positive(depth), "depth $d_0$"), (series("largest_radius", left, type(item)), "radius $a_m$")
+    radius = np.where(depth.content > 0.0, row_of(item, "largest_radius").content, np.nan)  # a dent where they yield
+    dents = (positive(depth), "depth $d_0$"), (series("largest_radius", radius, type(item)), "radius $a_m$")
     panels: tuple[Panel, ...] = (
         curves_panel(velocity, [(row_of(item, "restitution"), "")]),
         curves_panel(velocity, dents, label="dent", log=bool(np.any(depth.content > 0.0))),

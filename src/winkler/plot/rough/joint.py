@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import Any
 
 import numpy as np
@@ -32,8 +33,11 @@ def joint_sheet(item: JointStiffnessSolution) -> Sheet:
         pressure = series("pressure", item.contact.last.pressure)
         panels, names = [map_panel(item.problem.topography, pressure, style.SHADES)], ["pressure"]
     turned = item.shift_amplitude, item.loss_per_cycle
-    losses = Quantity(series("loss_per_cycle", item.spring_loss), "springs", turned, "boundary elements")
-    panels += [_loops(item), curves_panel(series("shift_amplitude", item.spring_shift), [losses])]
+    springs = Quantity(series("loss_per_cycle", item.spring_loss), "springs", turned, "boundary elements")
+    several = np.size(item.shift_amplitude) > 1
+    losses = curves_panel(series("shift_amplitude", item.spring_shift), [springs], log=several)
+    across = dataclasses.replace(losses.across, log=several, plain=several)
+    panels += [_loops(item), losses.plus(across=across)]
     names += ["loops of friction", "loss per cycle"]
     pressed = with_unit(float(np.ravel(np.asarray(item.nominal_pressure))[-1]), "Pa")
     shift, loss = (f"{100.0 * error:.2g} %" for error in (item.shift_error, item.loss_error))

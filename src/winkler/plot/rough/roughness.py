@@ -71,7 +71,7 @@ def image_of(of: Series, colours: Any, ends: Sequence[Array], *, label: str = ""
     low, high, beyond = _limits(reduced[np.isfinite(reduced)])
     limits: dict[str, Any] = {"low": min(lowest, low), "high": high}
     bar = PanelAxis(label, of.scale, **limits) if label else PanelAxis.of(of, **limits)
-    return Map(*ends, reduced, bar, kind="pixels", colours=colours, extend=beyond, shrink=0.9, pad=0.02)
+    return Map(ends[0], ends[1], reduced, bar, kind="pixels", colours=colours, extend=beyond, shrink=0.9, pad=0.02)
 
 
 def sides_of(item: Topography) -> tuple[Array, Array]:

@@ -61,10 +61,10 @@ def surface_wear_sheet(item: SurfaceWearSolution) -> Sheet:
         drawn = np.flatnonzero(slid) if in_equal_ratios(item.distance[slid]) else np.arange(slid.size)
         pressures = {"peak_pressure": "greatest", "mean_pressure": "mean"}
         panels.append(_pressure_panel(rough, item.last))
-        for names in (pressures, {"rms_height": ""}, {"skewness": ""}, {"area": ""}, {"worn_volume": ""}):
+        for chosen in (pressures, {"rms_height": ""}, {"skewness": ""}, {"area": ""}, {"worn_volume": ""}):
             rows = [
                 (share_of_map(item.area, rough) if name == "area" else series_of(item, name), label)
-                for name, label in names.items()
+                for name, label in chosen.items()
             ]
             distance, *rows = [
                 (dataclasses.replace(of, content=of.content[drawn]), label)
