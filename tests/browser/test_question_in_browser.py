@@ -175,6 +175,27 @@ def test_a_kind_is_found_by_its_name_or_by_words(fresh):
     page.locator('[data-choice="problem"]', has_text="seal").wait_for()
 
 
+ANEW = """() => {
+  const select = mounted_app.elements[document.querySelector('[data-choice="problem"]').id.slice(1)];
+  select.props = { ...select.props, options: select.props.options.map(one => ({ ...one })) };
+}"""
+
+
+def test_a_list_that_is_made_anew_keeps_what_was_found(fresh):
+    """The form is rebuilt when the answer to an earlier choice comes, which a slow machine sends after the search."""
+    page = fresh().page
+    page.locator('[data-choice="problem"]').click()
+    page.get_by_role("searchbox", name="Find by name, chapter, word or question").wait_for()
+    page.keyboard.type("does my gasket leak")
+    page.wait_for_function(FIRST_SHOWN, arg="seal")
+    page.evaluate("window.earlier = document.querySelector('[role=option]')")
+    page.evaluate(ANEW)
+    page.wait_for_function("!window.earlier.isConnected")
+    page.wait_for_function(FIRST_SHOWN, arg="seal", timeout=10_000)
+    page.keyboard.press("Enter")
+    page.locator('[data-choice="problem"]', has_text="seal").wait_for()
+
+
 def test_no_question_changes_what_was_typed_or_chosen(fresh):
     """Two balls of steel are no ball and a rigid plate; what was typed comes back, what an example lent goes."""
     app_page = fresh()

@@ -11,6 +11,14 @@ export default {
   mounted() {
     this.input = this.$el.querySelector("input");
     if (matchMedia("(hover: hover)").matches) setTimeout(() => this.input?.focus(), 0); // no keyboard over a phone's list
+    // the form that is rebuilt while the list is open makes its options anew
+    this.anew = new MutationObserver((changes) => {
+      if (this.input.value && changes.some((change) => !this.$el.contains(change.target))) this.arrange(this.place);
+    });
+    this.anew.observe(this.$el.parentElement, { childList: true, subtree: true });
+  },
+  unmounted() {
+    this.anew.disconnect();
   },
   methods: {
     items() {
@@ -34,6 +42,11 @@ export default {
     },
     // show options with these labels first, then those with all of these words
     keep(words, labels) {
+      Object.assign(this, { words, labels });
+      this.arrange(this.input.value ? 0 : -1);
+    },
+    arrange(place) {
+      const { words, labels } = this;
       for (const item of this.items()) {
         const rank = labels.indexOf(item.getAttribute("aria-label"));
         const text = item.textContent.toLowerCase();
@@ -41,7 +54,7 @@ export default {
         item.style.order = rank >= 0 ? rank - labels.length : 0;
       }
       this.none = this.shown().length === 0;
-      this.mark(this.input.value ? 0 : -1);
+      this.mark(place);
     },
     mark(place) {
       const shown = this.shown();
