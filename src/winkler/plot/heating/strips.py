@@ -59,6 +59,7 @@ def _speeds_panel(item: StripSolution) -> Panel:
     name, symbol = ("speed of sliding", "v") if rubs else ("speed of the faster surface", "V")
     asked = (pace, item.flash_temperature)
     rows = [Quantity(row_of(curve, "flash_temperature"), "flash temperature", asked, "requested")]
-    if np.all(np.isfinite(curve.fast_temperature)):
-        rows.append(Quantity(row_of(curve, "fast_temperature"), "fast"))
+    fast = row_of(curve, "fast_temperature")
+    if np.all(np.isfinite(fast.content)):
+        rows.append(Quantity(fast, "fast"))
     return curves_panel(Series(name, Word(symbol, "m/s", name), factors * pace), rows, log=True)
