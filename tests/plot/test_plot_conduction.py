@@ -66,7 +66,7 @@ def test_where_the_field_is_not_known_other_curves_are_drawn():
     assert len(figure.axes) == 2
     assert "current $I$ [A]" in labels(figure)
     many = draw(wk.JouleHeating(wk.Indentation(BALL, wk.Force(np.array([0.1, 1.0]))), PAIR, wk.Current(5.0)).solve())
-    assert "force $F_N$ [mN]" in labels(many)
+    assert "force $F_N$ [N]" in labels(many)
 
 
 def test_fields_are_drawn_on_grids_and_along_lines():

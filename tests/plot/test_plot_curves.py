@@ -10,10 +10,11 @@ from winkler.foundation.foundation import Foundation
 from winkler.loading.loads import Depth, Force
 from winkler.materials.elastic import Elastic, Rigid
 from winkler.media.halfspace import HalfSpace
+from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import around, is_singular, sunk, typical
 from winkler.plot.families import spans_decades
 from winkler.plot.normal.body import _revolved, _round
-from winkler.plot.normal.curves import force_depth, line_load, load_curves, surface
+from winkler.plot.normal.curves import force_depth, line_load, surface
 from winkler.plot.normal.springs import plane_profile, springs_panel, stretched
 from winkler.plot.normal.stresses import first_body_deforms
 from winkler.plot.panel import Sheet
@@ -110,10 +111,9 @@ def test_force_over_depth_has_a_gap_where_the_contact_is_no_disc():
 
 
 def test_curves_over_many_loads_are_sorted_by_depth():
-    curves = load_curves(pressed(Sphere(R), Force(np.array([100.0, 1.0, 10.0]))))
-    assert list(curves) == ["force", "radius", "stiffness"]
-    assert_allclose(curves["force"].of.content, [1.0, 10.0, 100.0])
-    assert np.all(np.diff(curves["radius"].along.content) > 0.0)
+    force, radius, _ = sheet_of(pressed(Sphere(R), Force(np.array([100.0, 1.0, 10.0])))).panels
+    assert_allclose(force.marks[0].y, [1.0, 10.0, 100.0])
+    assert np.all(np.diff(radius.marks[0].x) > 0.0)
 
 
 def test_surface_fields_for_a_picture_stay_finite():

@@ -9,7 +9,7 @@ import pytest
 
 import winkler as wk
 from winkler.plot import draw
-from winkler.plot.decades import Quantity, decades_panel
+from winkler.plot.curves import Quantity, curves_panel
 from winkler.plot.panel import Sheet
 from winkler.plot.render import render
 from winkler.plot.series import scale_of, series, with_unit
@@ -132,7 +132,7 @@ def test_requested_points_lie_on_the_curve():
 def test_a_curve_that_falls_to_nothing_ends_the_axis():
     along = series("time", np.geomspace(1.0, 1e2, 9))
     falling = Quantity(series("shear", np.exp(-along.content)))
-    axes = render(Sheet((decades_panel(along, [falling]),))).axes[0]
+    axes = render(Sheet((curves_panel(along, [falling]),))).axes[0]
     assert axes.get_yscale() == "log"
     assert axes.get_ylim()[0] > 1e-6
 

@@ -16,8 +16,6 @@ from collections.abc import Sequence
 from winkler.cli.streams import flush_streams, spell_unencodable, write_line
 from winkler.io.processes import stopping
 
-__all__ = ["main"]
-
 UNUSABLE_INPUT, MISTAKE = 2, 70
 MOST_CHARACTERS = 200
 """Longest path in a sentence [characters]."""

@@ -10,8 +10,6 @@ import typer
 from winkler.cli import browser, cite, draw, export, fit, new, report, run, show, table, validate
 from winkler.cli.streams import write_line
 
-__all__ = ["app", "command"]
-
 EXAMPLES = """Examples:
 
 winkler new indentation --profile cone  (writes a commented study)

@@ -9,8 +9,6 @@ import typer
 
 from winkler.cli.streams import write_line
 
-__all__ = ["cite"]
-
 
 def cite(
     what: Annotated[str, typer.Argument(help="A study file, or a kind.", show_default=False)],

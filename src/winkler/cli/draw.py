@@ -14,8 +14,6 @@ from winkler.cli.streams import write_line
 if TYPE_CHECKING:
     from winkler.study.batch.points import Solved
 
-__all__ = ["draw"]
-
 PARTS = {
     "contact": "the body in its indentation, the springs, their load and the pressure",
     "profile": "the shape alone: f(r) and g(x), or the height map",

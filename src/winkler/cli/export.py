@@ -10,8 +10,6 @@ import typer
 from winkler.cli.options import refuse_existing
 from winkler.cli.streams import write_line
 
-__all__ = ["export"]
-
 
 def export(
     study: Annotated[Path, typer.Argument(help="A study of a contact law.", show_default=False, readable=False)],

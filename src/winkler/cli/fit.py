@@ -22,8 +22,6 @@ if TYPE_CHECKING:
     from winkler.study.batch.fit_outcome import FitOutcome
     from winkler.study.language.fit_study import FitStudy
 
-__all__ = ["fit"]
-
 MOST_ROWS = 24
 """Rows of a table; longer ones are cut."""
 

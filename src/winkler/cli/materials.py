@@ -11,8 +11,6 @@ from winkler.cli.streams import until_closed
 if TYPE_CHECKING:
     from winkler.materials.named import NamedMaterial
 
-__all__ = ["one", "several"]
-
 TABLE_QUANTITIES = ("young", "poisson", "strength", "hardness", "density", "conductivity", "resistivity")
 """Quantities in the table of all materials."""
 

@@ -7,8 +7,6 @@ from pathlib import Path
 from winkler.study.language.reading import parsed, read_text
 from winkler.values.errors import WinklerError
 
-__all__ = ["MEASURED_PROBLEMS", "is_measured_problem"]
-
 MEASURED_PROBLEMS = ("friction_loops", "held_contacts", "master_curve", "measured_constriction")
 """Kinds whose numbers are fitted by the problem itself."""
 

@@ -14,8 +14,6 @@ from winkler.cli.streams import until_closed, write_json
 if TYPE_CHECKING:
     from winkler.study.nanoindentation.running import NanoindentationOutcome
 
-__all__ = ["evaluate", "wanted"]
-
 NUMBER_MISSED = 1
 
 

@@ -11,8 +11,6 @@ import typer
 from winkler.cli.options import Overwrite, completion, refuse_existing
 from winkler.cli.streams import write_line
 
-__all__ = ["new", "schema"]
-
 ALSO = {"profile": ("section",), "bed": ("line_bed",), "load": ("line_load",)}
 """Further groups whose kinds an option takes."""
 

@@ -11,8 +11,6 @@ import typer
 from winkler.cli.options import Settings, StudyFile, refuse_existing
 from winkler.cli.streams import write_line
 
-__all__ = ["report"]
-
 
 def report(
     study: StudyFile,

@@ -20,8 +20,6 @@ if TYPE_CHECKING:
     from winkler.study.batch.points import ComparedNumber
     from winkler.study.nanoindentation.running import NanoindentationOutcome
 
-__all__ = ["batch_json", "print_batch", "resumed", "validity_json", "verdict_json", "write_outcome_json"]
-
 MOST_DOUBTFUL = 5
 """Curves with doubts that are printed; the table of curves holds all."""
 

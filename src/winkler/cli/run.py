@@ -20,8 +20,6 @@ if TYPE_CHECKING:
     from winkler.study.language.study import Study
     from winkler.values.errors import WinklerError
 
-__all__ = ["exit_code", "merge", "run"]
-
 EXPECTATION_MISSED = 1
 
 

@@ -14,8 +14,6 @@ from winkler.cli.streams import until_closed, write_json, write_line
 if TYPE_CHECKING:
     from winkler.study.finding.finding import SearchResult
 
-__all__ = ["show"]
-
 OF_A_FILE = "Of measured files"
 OF_A_SURFACE = "Of a height map or a line scan"
 

@@ -15,8 +15,6 @@ if TYPE_CHECKING:
     from winkler.study.inspection.inspection import Inspection
     from winkler.study.inspection.surfaces import SurfaceOptions
 
-__all__ = ["ShownFile", "files_named", "show_files"]
-
 MOST_FILES = 10_000
 """Files of a list."""
 LONGEST_LIST = 60.0

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from winkler.cli.streams import until_closed
 
-__all__ = ["fit_json", "show_fit"]
-
 EXAMPLE = """\
 [problem]
 kind = "indentation"

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from winkler.cli.streams import until_closed
 
-__all__ = ["nanoindentation_json", "show_nanoindentation"]
-
 EXAMPLES = """\
 [indentation]
 curve = "steel/*.csv"

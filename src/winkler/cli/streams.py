@@ -17,8 +17,6 @@ import unicodedata
 from collections.abc import Iterator
 from typing import Any
 
-__all__ = ["flush_streams", "plain_json", "safe", "spell_unencodable", "until_closed", "write_json", "write_line"]
-
 DIRECTION_MARKS = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069\u2028\u2029")
 """Characters that change the direction of a line, or break it."""
 SPELLINGS = {

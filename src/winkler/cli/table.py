@@ -10,8 +10,6 @@ import typer
 from winkler.cli.options import refuse_existing
 from winkler.cli.streams import write_line
 
-__all__ = ["table"]
-
 
 def table(
     study: Annotated[Path, typer.Argument(help="A study of an indentation.", show_default=False, readable=False)],

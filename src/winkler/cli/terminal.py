@@ -25,20 +25,6 @@ if TYPE_CHECKING:
     from winkler.study.batch.outcome import Outcome, ResultColumn
     from winkler.study.nanoindentation.running import NanoindentationOutcome
 
-__all__ = [
-    "add_rows",
-    "answers",
-    "console",
-    "failures",
-    "heard",
-    "indices",
-    "marching",
-    "notes",
-    "one_line",
-    "table",
-    "tracked",
-]
-
 T = TypeVar("T")
 WrittenColumn = tuple[str, str, list[str]]
 """Name, unit and texts of a column."""

@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from winkler.study.ledger.ledger import LedgerEntry
     from winkler.study.ledger.ledger_page import LedgerChapter
 
-__all__ = ["validate", "verdict_table"]
-
 NUMBER_MISSED = 1
 
 

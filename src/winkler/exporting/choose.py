@@ -37,8 +37,6 @@ from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.profiles.power import Paraboloid
 from winkler.values.errors import InvalidInput
 
-__all__ = ["LAWS", "law_of"]
-
 LAWS = {
     "Indentation": "normal force of a body of revolution, up to the deepest load",
     "ContactLaw": "the same, up to its depth and to its tolerance",

@@ -37,8 +37,6 @@ from winkler.values.checks.number_checks import POSITIVE, Whole, checked
 from winkler.values.errors import InvalidInput, suggest
 from winkler.values.value import value, words
 
-__all__ = ["TARGETS", "ExportedLaw", "export", "of_every_radius", "write_export"]
-
 TARGETS: dict[str, tuple[str, Callable[[StepLaw, str], Mapping[str, str | bytes]]]] = {
     "c": ("one header in C99, without dependencies", lambda law, name: {f"{name}.h": c_law(law, name)}),
     "python": ("one file that needs numpy alone", lambda law, name: {f"{name}.py": python_law(law, name)}),

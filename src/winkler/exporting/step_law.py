@@ -11,8 +11,6 @@ from winkler.exporting.translation.plain import plain
 from winkler.exporting.translation.subset import Translatable
 from winkler.numerics.types import Array
 
-__all__ = ["RADIUS", "SIZE_POWERS", "LawTable", "StatePart", "StepLaw", "StepNumber"]
-
 SIZE_POWERS = {"m": 1, "N": 2, "N/m": 1, "J": 3, "N m": 3}
 """With which power of their size quantities of balls that are alike grow, by their unit; others stay."""
 

@@ -27,8 +27,6 @@ from winkler.fitting.task import FitTask
 from winkler.numerics.types import Array
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["stretches_of"]
-
 LEAST_CURVATURE = 0.03
 """Least relative curvature for which the ends are corrected."""
 MOST_CORRECTIONS = 4

@@ -14,8 +14,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput, suggest
 from winkler.values.value import value, words
 
-__all__ = ["FitEstimate"]
-
 LARGEST_EXPONENT = math.log(np.finfo(float).max)
 REFERENCE_WIDTH = 2.0
 """Half-width in standard errors to which the stretches of intervals refer."""

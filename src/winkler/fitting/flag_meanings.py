@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-__all__ = ["FLAG_MEANINGS", "REFUSING_FLAGS"]
-
 REFUSING_FLAGS = {
     "disagree": "the curves differ more in shared numbers than their noise allows: fit each, and state the scatter",
     "few_points": "too few points: give the whole curve",

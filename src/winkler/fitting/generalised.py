@@ -18,8 +18,6 @@ from winkler.fitting.task import FitTask, Prediction
 from winkler.numerics.types import Array
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["Generalised", "generalised", "likeliest"]
-
 MOST_STEPS = 6
 SETTLED_ERRORS = 0.02
 """Greatest last step in standard errors."""

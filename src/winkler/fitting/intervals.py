@@ -24,8 +24,6 @@ from winkler.fitting.outcome import Fit
 from winkler.fitting.search import Search
 from winkler.numerics.types import Array
 
-__all__ = ["profile_interval"]
-
 MOST_STEPS = 40
 INTERVAL_TOLERANCE = 2e-3
 LEAST_GROWTH = 1e-10

@@ -12,8 +12,6 @@ from winkler.fitting.varied import Parameter
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["bounds", "solved"]
-
 MOST_PREDICTIONS = 1000
 """A hold too short for its relaxation time takes some 500 to settle in the flat valley of its misfit."""
 COARSE_PREDICTIONS, COARSELY_SETTLED = 25, 1e-3

@@ -14,8 +14,6 @@ from winkler.fitting.curves.medians import median
 from winkler.fitting.noise.estimate import noise_of
 from winkler.numerics.types import Array
 
-__all__ = ["FEWEST_FREE_POINTS", "Misfit", "misfit_of"]
-
 MISFIT_LIMIT = 2.0
 """Squared misfit over the noise, per degree of freedom, from which on a model does not explain a curve."""
 MISFIT_CONFIDENCE = 0.999

@@ -16,8 +16,6 @@ from winkler.problems.viscoelastic.march import elastic_like
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["AnyFit", "CreepFit", "Fit", "ViscoelasticFit"]
-
 QUASISTATIC = Note(
     Assumption.CURVE,
     Standing.APPROXIMATE,

@@ -20,8 +20,6 @@ from winkler.values.errors import InvalidInput, suggest
 from winkler.values.limits import KEY_LETTERS
 from winkler.values.vocabulary import word
 
-__all__ = ["changed", "each", "number_at", "unit_of"]
-
 STEP = re.compile(r"([A-Za-z_]\w*)|\[(\d+)\]")
 
 

@@ -18,8 +18,6 @@ from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.values.checks.number_checks import Whole, checked
 from winkler.values.errors import InvalidInput
 
-__all__ = ["compare_terms"]
-
 MOST_TERMS = 8
 
 

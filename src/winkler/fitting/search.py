@@ -12,8 +12,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput, NotConverged
 from winkler.values.value import value, words
 
-__all__ = ["FitState", "Search"]
-
 
 @value
 class FitState:

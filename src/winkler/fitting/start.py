@@ -14,8 +14,6 @@ from winkler.fitting.varied import Parameter
 from winkler.numerics.types import Array
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["best_start", "contact_points"]
-
 CONTACT_POINT_SHARES = (0.0, 0.1, 0.3, -0.1)
 """Distances of trial contact points before the rough one, relative to the remaining travel."""
 NO_START = "fit: none of the starts is within the reach of the model; give starts or bounds."

@@ -29,8 +29,6 @@ from winkler.fitting.varied import CURVE_PARAMETERS, Parameter
 from winkler.numerics.types import Array
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["DIFFERENCE_STEP", "FitTask", "Prediction", "even_weights", "moved"]
-
 T = TypeVar("T")
 DIFFERENCE_STEP = 1e-5
 MOST_RECENT = 8

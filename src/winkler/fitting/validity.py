@@ -31,8 +31,6 @@ from winkler.values.errors import OutsideValidity
 from winkler.values.readable import with_unit
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["Model", "coating_notes", "fit_notes", "free_notes", "load_of", "with_load"]
-
 Model = Indentation | AdhesiveIndentation | PlasticIndentation
 """Models of fits without relaxation: a problem, whose load or path is a placeholder."""
 

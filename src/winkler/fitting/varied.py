@@ -10,8 +10,6 @@ import numpy as np
 from winkler.fitting.parameters import number_at, unit_of
 from winkler.values.errors import InvalidInput, suggest
 
-__all__ = ["CURVE_PARAMETERS", "NATURAL_BOUNDS", "Parameter", "parameters_of"]
-
 CURVE_PARAMETERS = ("contact_point", "baseline", "tilt", "drift", "drag", "inertia")
 """Parameters of the curve itself; the last three need times."""
 NATURAL_BOUNDS = {"poisson": (-0.99, 0.5), "half_angle": (1e-3, 0.5 * np.pi - 1e-3)}

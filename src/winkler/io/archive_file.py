@@ -14,8 +14,6 @@ from winkler.io.foreign import sentence_of
 from winkler.values.errors import InvalidInput
 from winkler.values.limits import FILE_BYTES, LIST_BYTES
 
-__all__ = ["archive", "is_archive", "member", "refuse_large_archive"]
-
 END, LOCATOR, END64 = b"PK\x05\x06", b"PK\x06\x07", b"PK\x06\x06"
 """Marks of the records at the end of an archive (APPNOTE.TXT 6.3.10, sections 4.3.14 to 4.3.16),"""
 END_SIZE, LOCATOR_SIZE, END64_SIZE = 22, 20, 56

@@ -20,8 +20,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 from winkler.values.limits import MOST_NUMBERS
 
-__all__ = ["read_arrays", "read_state", "software_of", "write_arrays", "write_state"]
-
 MOST_ARRAYS = 1000
 """Arrays in a file."""
 HEADER_BYTES = 20_000

@@ -13,8 +13,6 @@ from winkler.io.foreign import reader
 from winkler.problems.particles.contacts import Contacts
 from winkler.values.errors import InvalidInput
 
-__all__ = ["read_contacts", "write_contacts"]
-
 FORMAT = "winkler contacts 1"
 FIELD_NAMES = tuple(field.name for field in dataclasses.fields(Contacts))
 

@@ -10,15 +10,6 @@ from winkler.fitting.unloading.continuous_stiffness import ContinuousStiffness
 from winkler.numerics.types import Array
 from winkler.values.value import value
 
-__all__ = [
-    "HARDNESS_NAMES",
-    "YOUNG_NAMES",
-    "StatedResults",
-    "loading_stiffness",
-    "stated_results",
-    "stiffness_fact",
-]
-
 FEWEST = 2
 YOUNG_NAMES = ("modulus", "young's modulus", "youngs modulus", "elastic modulus", "indentation modulus", "eit", "e")
 HARDNESS_NAMES = ("hardness", "indentation hardness", "hit")

@@ -7,16 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-__all__ = [
-    "CROSSHEAD_NAMES",
-    "DEPTH_NAMES",
-    "FORCE_NAMES",
-    "POSITION_NAMES",
-    "STIFFNESS_NAMES",
-    "TIME_NAMES",
-    "by_preference",
-]
-
 CROSSHEAD_NAMES = (
     "extension",
     "standard travel",

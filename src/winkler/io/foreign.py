@@ -19,8 +19,6 @@ from typing import ParamSpec, TypeVar
 
 from winkler.values.errors import InvalidInput, WinklerError
 
-__all__ = ["in_file", "path_text", "quiet", "reader", "reason_of", "sentence_of", "without_stale_sizes"]
-
 P = ParamSpec("P")
 R = TypeVar("R")
 

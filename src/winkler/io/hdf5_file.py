@@ -11,8 +11,6 @@ from typing import Any
 
 from winkler.values.errors import InvalidInput
 
-__all__ = ["refuse_other_files"]
-
 
 def refuse_other_files(path: Path) -> None:
     """Refuse an HDF5 file whose contents lie in other files; files of other formats are accepted.

@@ -19,16 +19,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.limits import HEADER_LINES, MOST_NUMBERS
 from winkler.values.units import quantity
 
-__all__ = [
-    "MapContents",
-    "array_map",
-    "point_map",
-    "points_on_grid",
-    "refuse_many",
-    "refuse_table",
-    "text_map",
-]
-
 LEAST_ROWS = 4
 """Fewest rows and columns of a map; a smaller matrix is a scan, or a list of points."""
 MOST_COLUMNS, SLENDER = 8, 8

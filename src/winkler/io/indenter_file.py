@@ -26,8 +26,6 @@ from winkler.materials.elastic import Elastic
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 
-__all__ = ["indenter_text", "read_area", "read_indenter", "write_indenter"]
-
 KIND = "calibrated_indenter"
 DEPTH = Column("contact depth", ("contact depth", "contact_depth", "depth", "hc", "h_c", "h", "d"), "m", "nm")
 AREA = Column("area", ("area", "projected area", "contact area", "a", "ac", "a_c", "ap", "a_p"), "m^2", "nm^2")

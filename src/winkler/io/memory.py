@@ -18,8 +18,6 @@ from winkler.io.foreign import path_text
 from winkler.values.errors import InvalidInput
 from winkler.values.limits import READING_BYTES
 
-__all__ = ["limited_memory"]
-
 MEMORY_FILE = Path("/proc/self/statm")
 """Its first number is the size of the address space in pages (proc(5))."""
 

@@ -11,8 +11,6 @@ from winkler.io.swapped_columns import swap_note
 from winkler.numerics.types import Array
 from winkler.values.value import value
 
-__all__ = ["PlacedCurve", "UnreadCurve", "name_of_test", "reading_of"]
-
 
 @value
 class PlacedCurve:

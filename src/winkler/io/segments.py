@@ -7,8 +7,6 @@ import numpy as np
 from winkler.fitting.curves.directions import HELD, IN, OUT, found_directions
 from winkler.numerics.types import Array
 
-__all__ = ["directions", "is_written_backwards", "segment_fact", "turning_segments"]
-
 LEAST_POINTS = 10
 """Of a segment with fewer points only its ends are compared."""
 LARGEST_HOLD_TRAVEL = 0.5

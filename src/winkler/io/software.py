@@ -21,8 +21,6 @@ from collections.abc import Iterator, Mapping
 from importlib.metadata import PackageNotFoundError, distribution, version
 from pathlib import Path
 
-__all__ = ["differences", "software"]
-
 COMPUTING = "numba", "numpy", "scipy"
 """Packages whose other versions may give other numbers."""
 CACHE = "__pycache__"

@@ -33,8 +33,6 @@ from winkler.problems.conduction.stiffness_analogy import conductance_of_stiffne
 from winkler.problems.rough.surface_contact import SurfaceContactSolution
 from winkler.values.errors import InvalidInput, OutsideValidity
 
-__all__ = ["write_surface_interaction"]
-
 NAME_PATTERN = r"[A-Za-z][A-Za-z0-9_]{0,79}"
 UNITS = {"m": (1.0, "m, Pa, W/(m2 K)"), "mm": (1e3, "mm, N, s, K: MPa, mW/(mm2 K)")}
 """Unit of length -> how many are a metre, and the units that go with it and with N, s, K."""

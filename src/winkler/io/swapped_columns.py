@@ -13,8 +13,6 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 
-__all__ = ["is_list", "is_reversed", "refuse_list", "signs", "swap_note"]
-
 CONCAVE = 0.58
 """Force at half of the depth over the greatest: 0.5 for a punch, 0.35 for a ball, 0.25 for a cone; swapped 0.5 to 1."""
 WINDOW = 0.03

@@ -18,20 +18,6 @@ from winkler.values.checks.physical_size import as_text
 from winkler.values.errors import InvalidInput, suggest
 from winkler.values.limits import HEADER_LETTERS, HEADER_LINES, LINE_LETTERS, TEXT_BYTES, TEXT_LINES
 
-__all__ = [
-    "UNMARKED_UTF16",
-    "UTF16_MARKS",
-    "content_of",
-    "existing",
-    "head_of",
-    "headed",
-    "lines_of",
-    "lines_of_bytes",
-    "of_other_program",
-    "path_of",
-    "refuse_large",
-]
-
 SPREADSHEET = "this is a spreadsheet or an archive; save the table as text (CSV)"
 SIGNATURES = (
     (b"\xff\xfe\x00\x00", "the file is written in UTF-32; save it as UTF-8"),

@@ -26,8 +26,6 @@ from winkler.values.limits import TEXT_BYTES
 from winkler.values.readable import with_unit
 from winkler.values.units import scale
 
-__all__ = ["read_topography"]
-
 ARRAY_ENDINGS = {".npy", ".npz"}
 MESH_ENDING, OTHER_MESHES = ".stl", {".ply", ".obj"}
 POINT_COLUMNS = (

@@ -22,8 +22,6 @@ from winkler.problems.answer import is_solution
 from winkler.values.errors import InvalidInput
 from winkler.values.vocabulary import GLOSSARY, Word, own_word, word
 
-__all__ = ["CONVENTIONS", "inputs_of", "write_trace"]
-
 CONVENTIONS = (
     "SI units throughout: m, s, kg, N, Pa, J, rad.",
     "Depth, approach and normal force are positive in compression; a negative force pulls.",

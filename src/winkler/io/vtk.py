@@ -31,8 +31,6 @@ from winkler.values.checks.number_checks import affordable
 from winkler.values.errors import InvalidInput
 from winkler.values.limits import MOST_NUMBERS
 
-__all__ = ["write_vtk"]
-
 HALF_PLANE = 1
 """Number of planes for which an axisymmetric field is written in the half-plane y = 0, x > 0 alone."""
 MOST_STATES = 200

@@ -27,8 +27,6 @@ from winkler.problems.wear.line_states import LineFrettingState, LineWearState
 from winkler.problems.wear.states import FrettingState, WearState
 from winkler.values.errors import InvalidInput
 
-__all__ = ["read_wear", "write_wear"]
-
 FORMAT = "winkler wear 2"
 State = WearState | LineWearState | SurfaceWearState
 KINDS: dict[str, type[State]] = {

@@ -19,8 +19,6 @@ from winkler.io.processes.locking import lock, open_locked
 from winkler.io.processes.stopping import deferred_signals
 from winkler.values.errors import InvalidInput
 
-__all__ = ["FULL", "remove_left", "unwritable", "write_new", "write_whole", "write_whole_text", "written_whole"]
-
 PART = ".winkler-part"
 FULL = frozenset({errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC)})
 """Errors of a disk that is full, or of a quota that is used up."""

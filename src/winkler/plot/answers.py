@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from winkler.plot.curves import curves_panel
 from winkler.plot.dispatch import Answered, sheet_of, without_extent
 from winkler.plot.panel import Sheet, titled
-from winkler.plot.rough.roughness import models_panel
 from winkler.plot.series import Series, name_in_words, row_of, with_unit
 from winkler.values.errors import InvalidInput
 from winkler.values.vocabulary import word
@@ -48,7 +48,7 @@ def answer_sheet(item: Any) -> Sheet:
     along = _abscissa(item, many)
     over = {name: row for name, row in many.items() if name != along.name}
     drawn = list(over.items())[:MOST_PANELS]
-    panels = [models_panel(along, [(row, "")]) for _, row in drawn]
+    panels = [curves_panel(along, [(row, "")]) for _, row in drawn]
     names = [f"{name_in_words(name)} over {name_in_words(along.name)}" for name, _ in drawn]
     return Sheet(titled(panels, *names), min(len(panels), 3), width=4.2)
 

@@ -75,6 +75,14 @@ def from_zero(content: Array) -> float | None:
     return 0.0 if varied == 0.0 or varied >= LEAST_FALL * float(np.nanmax(content)) else None
 
 
+def edges_of(middles: Array, *, decades: bool = False) -> Array:
+    """Return the edges of cells around their rising middles."""
+    along = np.log(middles) if decades else middles
+    between = 0.5 * (along[1:] + along[:-1])
+    edges = np.concatenate([[2.0 * along[0] - between[0]], between, [2.0 * along[-1] - between[-1]]])
+    return np.asarray(np.exp(edges) if decades else edges)
+
+
 def plane(scale: Scale, **more: Any) -> tuple[PanelAxis, PanelAxis]:
     """Return the axes x and y of a plane in one unit; `more` is common to both."""
     return PanelAxis("$x$", scale, **more), PanelAxis("$y$", scale, **more)

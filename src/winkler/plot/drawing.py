@@ -12,29 +12,22 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 
 from winkler.fields.punch_staircase import Staircase
-from winkler.foundation.measured import MeasuredBed
 from winkler.loading.loads import Force
 from winkler.media.halfspace import HalfSpace
-from winkler.plot import style
+from winkler.plot.curves import curves_panel
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import around, checked_extent, typical
-from winkler.plot.medium import body_is_defined, stiffness_panel
-from winkler.plot.normal.body import body_panel, contact_panel
+from winkler.plot.normal.body import body_panel
 from winkler.plot.normal.curves import (
     curve_panel,
     force_depth,
-    line_load_panel,
-    load_curves,
-    loaded_so_far,
-    pressure_panel,
 )
 from winkler.plot.normal.outline import profile_panel
 from winkler.plot.normal.punches import pressures_panel, steps_panel
 from winkler.plot.normal.sliding_onset import sliding_stress_panel
-from winkler.plot.normal.springs import springs_panel
 from winkler.plot.normal.stresses import stress_panel
-from winkler.plot.panel import NO_CONTACT, Panel, Sheet, points, titled
-from winkler.plot.series import headline
+from winkler.plot.panel import Sheet, points, titled
+from winkler.plot.series import headline, row_of
 from winkler.plot.sheets import contact_sheet
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.normal.indentation import Indentation, IndentationSolution
@@ -135,33 +128,9 @@ def _profile(item: Shape, *, extent: float | None = None) -> Sheet:
 
 
 @sheet_of.register(IndentationSolution)
-def _indentation(item: IndentationSolution, *, extent: float | None = None) -> Sheet:
-    return _single_load_sheet(item, extent) if np.ndim(item.depth) == 0 else _curves_sheet(item, extent)
-
-
-def _single_load_sheet(item: IndentationSolution, extent: float | None) -> Sheet:
-    end, bed = around(item.pressed, extent), item.pressed.bed
-    defined = body_is_defined(bed)
-    panels = titled(
-        (
-            contact_panel(item, end) if defined else stiffness_panel(bed, end, float(item.radius)),
-            springs_panel(item.pressed, end),
-            line_load_panel(item, end, float(item.force)),
-            pressure_panel(item, end, float(item.mean_pressure)) if defined else _force_curve(item),
-        ),
-        "the contact" if defined else "measured stiffness" if isinstance(bed, MeasuredBed) else "stiffness",
-        "springs under $g(x) − d$",
-        "load of the springs $q(x)$",
-        "pressure $p(r)$" if defined else "force over depth",
-    )
-    return Sheet(panels, 2, height=3.2, title=headline(item))
-
-
-def _force_curve(item: IndentationSolution) -> Panel:
-    """Return F(d) up to a contact, and the contact itself as a point."""
-    if float(item.depth) <= 0.0:
-        return NO_CONTACT
-    return loaded_so_far(item.pressed, float(item.force))
+@sheet_of.register(AdhesiveSolution)
+def _indentation(item: IndentationSolution | AdhesiveSolution, *, extent: float | None = None) -> Sheet:
+    return contact_sheet(item, extent) if np.ndim(item.depth) == 0 else _curves_sheet(item, extent)
 
 
 def _curves_sheet(item: IndentationSolution | AdhesiveSolution, extent: float | None) -> Sheet:
@@ -169,18 +138,10 @@ def _curves_sheet(item: IndentationSolution | AdhesiveSolution, extent: float | 
         raise InvalidInput(
             "draw: curves over many loads have no extent; leave it out, or pick one load: solution.at(0)."
         )
-    panels = []
-    for (name, curve), colour in zip(load_curves(item).items(), style.CYCLE, strict=False):
-        panel = curve_panel(curve, colour)
-        if not np.min(curve.of.content) < 0.0:
-            panel = panel.plus(upright=dataclasses.replace(panel.upright, low=0.0))
-        panels.append(panel.plus(title=f"{name.replace('radius', 'contact radius')} over depth"))
-    return Sheet(tuple(panels), width=3.7)
-
-
-@sheet_of.register(AdhesiveSolution)
-def _adhesive(item: AdhesiveSolution, *, extent: float | None = None) -> Sheet:
-    return contact_sheet(item, extent) if np.ndim(item.depth) == 0 else _curves_sheet(item, extent)
+    names = {"force": "force", "radius": "contact radius"}
+    names |= {} if isinstance(item, AdhesiveSolution) else {"stiffness": "stiffness"}
+    panels = [curves_panel(row_of(item, "depth"), [(row_of(item, name), "")]) for name in names]
+    return Sheet(titled(panels, *(f"{words} over depth" for words in names.values())), width=3.7)
 
 
 @sheet_of.register(YieldOnsetSolution)

@@ -28,6 +28,14 @@ def spans_decades(content: np.ndarray) -> bool:
     return bool(np.log10(finite.max() / finite.min()) > LEAST_DECADES)
 
 
+def in_equal_ratios(rising: np.ndarray) -> bool:
+    """Return whether rising numbers over decades stand closer to equal ratios than to equal steps."""
+    if not spans_decades(rising):
+        return False
+    steps, ratios = np.diff(rising), np.diff(np.log(rising))
+    return bool(np.all(ratios >= 0.0) and np.ptp(ratios) / np.mean(ratios) < np.ptp(steps) / np.mean(steps))
+
+
 def family_sheet(
     along: Sequence[Series], of: Sequence[Series], labels: Sequence[str], *, ordered: bool = True
 ) -> Sheet:

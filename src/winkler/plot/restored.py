@@ -7,11 +7,13 @@ import dataclasses
 import numpy as np
 
 from winkler.fields.restoration import SubsurfaceFields, SurfaceFields
+from winkler.plot.curves import curves_panel
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import checked_extent
-from winkler.plot.normal.curves import surface_panel, surface_pressure_panel
+from winkler.plot.normal.curves import surface_panel
 from winkler.plot.normal.stresses import along_panel, field_panel
 from winkler.plot.panel import Sheet, titled
+from winkler.plot.series import row_of
 from winkler.values.errors import InvalidInput
 
 
@@ -19,7 +21,8 @@ from winkler.values.errors import InvalidInput
 def surface_sheet(item: SurfaceFields, *, extent: float | None = None) -> Sheet:
     """Return pressure and displacement of a surface."""
     cropped = _cropped(item, extent)
-    return Sheet(titled((surface_pressure_panel(cropped), surface_panel(cropped)), "pressure", "surface"))
+    pressure = curves_panel(row_of(cropped, "r"), [(row_of(cropped, "pressure"), "")])
+    return Sheet(titled((pressure, surface_panel(cropped)), "pressure", "surface"))
 
 
 def _cropped(item: SurfaceFields, extent: float | None) -> SurfaceFields:

@@ -6,6 +6,7 @@ symbols and units come from the glossary.
 
 from __future__ import annotations
 
+import dataclasses
 import itertools
 import math
 from typing import Any, NamedTuple
@@ -26,6 +27,7 @@ __all__ = [
     "middle_scale",
     "name_in_words",
     "places",
+    "positive",
     "pretty_unit",
     "round_numbers",
     "row_of",
@@ -111,6 +113,11 @@ def series_of(item: Any, name: str) -> Series:
 def row_of(item: Any, name: str) -> Series:
     """Return the same of all loads in one row."""
     return series(name, np.ravel(getattr(item, name)), type(item))
+
+
+def positive(one: Series) -> Series:
+    """Return numbers with NaN where they are not positive: there they have no place on a logarithmic axis."""
+    return dataclasses.replace(one, content=np.where(one.content > 0.0, one.content, np.nan))
 
 
 def common_scale(*many: Series) -> Scale:

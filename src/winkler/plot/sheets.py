@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
+from winkler.foundation.measured import MeasuredBed
 from winkler.loading.loads import Force
 from winkler.plot.adhesion.cycles import cycle_panels, sheared_panels
-from winkler.plot.adhesion.equilibria import around_panel, equilibrium_panel, pull_off_panel, radii_panel
+from winkler.plot.adhesion.equilibria import equilibrium_panel, pull_off_panel, radii_panel
 from winkler.plot.dispatch import without_extent
 from winkler.plot.extent import around
 from winkler.plot.medium import body_is_defined, stiffness_panel
-from winkler.plot.method import line_load, pressure
+from winkler.plot.method import force, line_load, pressure
 from winkler.plot.normal.body import contact_panel
 from winkler.plot.normal.springs import springs_panel
 from winkler.plot.panel import NO_CONTACT, Sheet, titled
@@ -20,33 +21,33 @@ from winkler.problems.adhesion.equilibrium import EquilibriumCurve
 from winkler.problems.adhesion.indentation import AdhesiveSolution
 from winkler.problems.adhesion.pull_off import PullOffSolution
 from winkler.problems.adhesion.shear import AdhesiveShearSolution
+from winkler.problems.normal.indentation import IndentationSolution
 
 
-def contact_sheet(item: AdhesiveSolution, extent: float | None = None) -> Sheet:
-    """Return body, springs, pressure and equilibria of one contact; of a measured bed its stiffness and line load.
+def contact_sheet(item: IndentationSolution | AdhesiveSolution, extent: float | None = None) -> Sheet:
+    """Return body, springs, their load and pressure of one contact; with adhesion equilibria in place of the load.
 
     Parameters
     ----------
-    item : AdhesiveSolution
-        For one load.
+    item : IndentationSolution or AdhesiveSolution
+        For one load; of a measured bed its stiffness and F(d) stand for body and pressure.
     extent : float, optional
         [m].
     """
     end, bed = around(item.pressed, extent), item.pressed.bed
-    defined = body_is_defined(bed)
-    panels = titled(
-        (
-            contact_panel(item, end) if defined else stiffness_panel(bed, end, float(item.radius)),
-            springs_panel(item.pressed, end),
-            pressure(item, end) if defined else line_load(item, end),
-            around_panel(item) if item.radius > 0.0 else NO_CONTACT,
-        ),
-        "the contact" if defined else "measured stiffness",
-        "springs under $g(x) − d$",
-        "pressure $p(r)$" if defined else "load of the springs $q(x)$",
-        "force over depth: states of equilibrium",
-    )
-    return Sheet(panels, 2, height=3.2, title=headline(item))
+    defined, sticks = body_is_defined(bed), isinstance(item, AdhesiveSolution)
+    body = contact_panel(item, end) if defined else stiffness_panel(bed, end, float(item.radius))
+    measured = "measured stiffness" if isinstance(bed, MeasuredBed) else "stiffness"
+    springs = springs_panel(item.pressed, end)
+    parts = [(body, "the contact" if defined else measured), (springs, "springs under $g(x) − d$")]
+    if not (sticks and defined):
+        parts.append((line_load(item, end), "load of the springs $q(x)$"))
+    if defined:
+        parts.append((pressure(item, end), "pressure $p(r)$"))
+    if sticks or not defined:
+        curve = force(item) if (item.radius if sticks else item.depth) > 0.0 else NO_CONTACT
+        parts.append((curve, f"force over depth{': states of equilibrium' if sticks else ''}"))
+    return Sheet(tuple(panel.plus(title=title) for panel, title in parts), 2, height=3.2, title=headline(item))
 
 
 @without_extent(EquilibriumCurve)

@@ -10,6 +10,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot import style
+from winkler.plot.axis import edges_of
 from winkler.plot.families import spans_decades
 from winkler.plot.panel import Bars, Dots, Map, Panel, PanelAxis, Sheet
 from winkler.plot.series import Scale, Series, common_scale, middle_scale
@@ -40,8 +41,8 @@ def map_sheet(along: Series, up: Series, of: Series) -> Sheet:
     content = of.content[np.ix_(across, above)].T
     varies = bool(np.nanmin(content) < np.nanmax(content))
     drawn = Map(
-        _edges(along.content[across], x.log),
-        _edges(up.content[above], y.log),
+        edges_of(along.content[across], decades=x.log),
+        edges_of(up.content[above], decades=y.log),
         content,
         bar,
         kind="cells",
@@ -51,14 +52,6 @@ def map_sheet(along: Series, up: Series, of: Series) -> Sheet:
         centres=(along.content[across], up.content[above]),
     )
     return Sheet((Panel((drawn,), x, y, grid=""),), width=4.8, height=3.9)
-
-
-def _edges(places: Array, decades: bool) -> Array:
-    """Return the ends of cells around rising places."""
-    along = np.log(places) if decades else places
-    middle = 0.5 * (along[1:] + along[:-1])
-    edges = np.concatenate([[2.0 * along[0] - middle[0]], middle, [2.0 * along[-1] - middle[-1]]])
-    return np.asarray(np.exp(edges) if decades else edges)
 
 
 def _levels(content: Array, logarithmic: bool) -> Array:

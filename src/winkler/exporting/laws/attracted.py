@@ -12,8 +12,6 @@ from winkler.exporting.step_law import LawTable, StepLaw, StepNumber
 from winkler.problems.adhesion.cycle import AdhesiveCycle
 from winkler.problems.particles.table_step import step_attracted
 
-__all__ = ["attracted_law"]
-
 MOTION = (StepNumber("depth", "m", "d at the end of the step, not positive without contact"),)
 ANSWER = (
     StepNumber("force", "N", "normal force, compression positive; attraction included while the bodies touch"),

@@ -12,8 +12,6 @@ from winkler.problems.particles.ball_step import step_ball
 from winkler.problems.particles.contacts import Contacts
 from winkler.values.errors import InvalidInput
 
-__all__ = ["BALL_ANSWER", "BALL_MOTION", "ball_law"]
-
 BALL_MOTION = (
     StepNumber("depth", "m", "d at the end of the step, not positive without contact"),
     StepNumber("motion_x", "m", "by which the bodies move along the surface in the step", True),

@@ -12,8 +12,6 @@ from winkler.numerics.types import Array
 from winkler.problems.particles.damped_step import step_damped
 from winkler.problems.viscoelastic.march import elastic_like
 
-__all__ = ["damped_law"]
-
 MOTION = (
     StepNumber("depth", "m", "d at the end of the step, not positive without contact"),
     StepNumber("duration", "s", "of the step, at a steady rate; zero for the force at rest"),

@@ -16,8 +16,6 @@ from winkler.problems.particles.contact_law import CHECK_POSITIONS, SAFETY_FACTO
 from winkler.problems.particles.table_step import cubic_energy, follow_table, monotone_intervals, step_table
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
-__all__ = ["BEYOND", "force_table", "normal_law", "normal_notes"]
-
 MOTION = (StepNumber("depth", "m", "d at the end of the step, not positive without contact"),)
 ANSWER = (
     StepNumber("force", "N", "normal force, compression positive"),

@@ -18,8 +18,6 @@ from winkler.problems.particles.elastic_plastic_springs import DEPTH_LIMIT, mate
 from winkler.problems.particles.particle_step import step_particle
 from winkler.values.errors import InvalidInput
 
-__all__ = ["adhesive_law", "ball_of", "checked_depth", "particle_law"]
-
 MOTION = (StepNumber("depth", "m", "d at the end of the step"),)
 ANSWER = (
     StepNumber("force", "N", "normal force, compression positive"),

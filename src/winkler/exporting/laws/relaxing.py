@@ -19,8 +19,6 @@ from winkler.problems.viscoelastic.march import SpringRow, elastic_like, relaxat
 from winkler.problems.viscoelastic.relaxing_step import step_relaxing
 from winkler.values.errors import InvalidInput
 
-__all__ = ["relaxing_law"]
-
 MOTION = (
     StepNumber("depth", "m", "d at the end of the step, not positive without contact"),
     StepNumber("duration", "s", "of the step, at a steady rate; zero for a sudden one"),

@@ -19,8 +19,6 @@ from winkler.problems.normal.indentation import Indentation
 from winkler.problems.particles.sheared_step import step_sheared
 from winkler.values.errors import InvalidInput
 
-__all__ = ["sheared_law"]
-
 MOTION = (
     StepNumber("depth", "m", "d at the end of the step, not positive without contact"),
     StepNumber("motion_x", "m", "by which the bodies move along the surface in the step", True),

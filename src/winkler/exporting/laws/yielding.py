@@ -18,8 +18,6 @@ from winkler.problems.plastic.indentation import PlasticIndentation
 from winkler.problems.plastic.yielding_step import step_yielding
 from winkler.values.errors import InvalidInput, NotConverged
 
-__all__ = ["yielding_law"]
-
 MOTION = (StepNumber("depth", "m", "d at the end of the step, not positive without contact"),)
 ANSWER = (
     StepNumber("force", "N", "normal force, compression positive"),

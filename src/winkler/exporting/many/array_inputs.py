@@ -11,8 +11,6 @@ from winkler.numerics.types import Array
 from winkler.values.checks.physical_size import LARGEST_NUMBER, SMALLEST_NUMBER
 from winkler.values.errors import InvalidInput, OutsideValidity
 
-__all__ = ["checked_depth_of", "checked_entry", "checked_places", "whole_numbers"]
-
 WIDTHS = {"depth": (), "motion": (2,), "twist": (), "roll": (2,), "duration": ()}
 """Axes of what goes in, after that of the contacts."""
 

@@ -30,8 +30,6 @@ from winkler.numerics.threads import run_in_threads
 from winkler.values.checks.number_checks import POSITIVE, Whole, checked
 from winkler.values.errors import InvalidInput
 
-__all__ = ["ContactArray"]
-
 TABLE_TOLERANCE = 1e-9
 """By how much tables of a law may differ from those in a file, which another machine may have computed."""
 

@@ -14,8 +14,6 @@ from winkler.values.checks.free_memory import free_memory
 from winkler.values.checks.number_checks import Whole, checked
 from winkler.values.errors import InvalidInput, suggest
 
-__all__ = ["ContactStore"]
-
 PRECISIONS = ("double", "single")
 GIB = 2.0**30
 Numbers = np.ndarray[Any, np.dtype[np.int64]]

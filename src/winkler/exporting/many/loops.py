@@ -19,11 +19,6 @@ from winkler.problems.particles.table_step import step_attracted, step_table
 from winkler.problems.plastic.yielding_step import step_yielding
 from winkler.problems.viscoelastic.relaxing_step import step_relaxing
 
-__all__ = [
-    "first_beyond", "loop_attracted", "loop_balls", "loop_damped", "loop_particles", "loop_relaxing", "loop_sheared",
-    "loop_table", "loop_yielding",
-]  # fmt: skip
-
 Whole = np.ndarray[tuple[int, ...], np.dtype[np.int64]]
 
 

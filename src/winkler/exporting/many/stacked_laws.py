@@ -26,8 +26,6 @@ from winkler.numerics.types import Array
 from winkler.problems.particles.contacts import Contacts
 from winkler.values.errors import InvalidInput
 
-__all__ = ["ContactLoop", "StackedLaws", "stacked_laws"]
-
 WORK_SPACE = "work space"
 """What a part of the state is called that holds nothing from one step to the next."""
 

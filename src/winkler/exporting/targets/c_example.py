@@ -9,8 +9,6 @@ import numpy as np
 from winkler.exporting.step_law import StepLaw
 from winkler.numerics.types import Array
 
-__all__ = ["TRACE_TOLERANCE", "c_main"]
-
 TRACE_TOLERANCE = 1e-11
 """To which a compiled file agrees with the trace, over the greatest number of a column: compilers round differently."""
 

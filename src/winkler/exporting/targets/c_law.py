@@ -14,8 +14,6 @@ from winkler.exporting.translation.c_writer import INCLUDES, c_source
 from winkler.exporting.translation.translate import Translation
 from winkler.exporting.translation.tree import BOOL, INT, REAL, Routine, TranslatedType, TranslationUnit, array_of
 
-__all__ = ["c_law", "factors_of_size", "law_parts", "translated_step"]
-
 OWN_NAMES = frozenset({"begin", "step", "main"})
 """Functions that every file has."""
 ITEMS = {"f": (REAL, "double"), "i": (INT, "int64_t"), "b": (BOOL, "bool")}

@@ -12,8 +12,6 @@ from pathlib import Path
 
 from winkler.values.errors import InvalidInput
 
-__all__ = ["compiled_by_zig", "compiled_here", "has_compiler"]
-
 LONGEST_WAIT = 600.0
 """Seconds that a compiler may take."""
 OPTIMISED = ("-O2", "-ffp-contract=off")

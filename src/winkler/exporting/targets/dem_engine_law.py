@@ -15,8 +15,6 @@ from winkler.exporting.targets.heading import heading_lines
 from winkler.exporting.targets.one_export import MARK, marked
 from winkler.values.errors import InvalidInput
 
-__all__ = ["dem_engine_law"]
-
 MOST_REMEMBERED = 16
 """Numbers that DEM-Engine keeps for a contact, unless it is built for more."""
 MOTIONS = {"depth": "{share}(double)overlapDepth", "duration": "(double)ts", "curvature_radius": "law_R{whole}"}

@@ -5,8 +5,6 @@ from __future__ import annotations
 from winkler.exporting.step_law import StepLaw
 from winkler.exporting.targets.fmu_description import DURATION
 
-__all__ = ["fmu_core"]
-
 
 def fmu_core(law: StepLaw, name: str, version: int) -> str:
     """Return the beginning of the C file."""

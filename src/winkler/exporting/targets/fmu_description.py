@@ -8,8 +8,6 @@ from xml.sax.saxutils import quoteattr
 
 from winkler.exporting.step_law import StepLaw, StepNumber
 
-__all__ = ["DURATION", "description", "fmu_inputs", "unit_and_start", "unit_guid", "unit_lines"]
-
 DURATION = "duration"
 """The input that the step of the master states."""
 BASE_UNITS = {

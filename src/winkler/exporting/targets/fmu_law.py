@@ -16,8 +16,6 @@ from winkler.exporting.targets.fmu_core import fmu_core
 from winkler.exporting.targets.fmu_description import description, fmu_inputs, unit_and_start, unit_guid, unit_lines
 from winkler.values.errors import InvalidInput
 
-__all__ = ["fmu3_law", "fmu_law"]
-
 SYSTEMS = {
     ("linux", "x86_64"): ("linux64", ".so"),
     ("win32", "amd64"): ("win64", ".dll"),

@@ -13,8 +13,6 @@ from winkler.exporting.targets.heading import heading_lines
 from winkler.exporting.targets.one_export import MARK, marked
 from winkler.numerics.types import Array
 
-__all__ = ["c_wrapper", "fortran_law"]
-
 KINDS = {"f": "real(c_double)", "i": "integer(c_int64_t)", "b": "logical(c_bool)"}
 
 

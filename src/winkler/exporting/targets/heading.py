@@ -7,8 +7,6 @@ import textwrap
 from winkler.exporting.step_law import StepLaw
 from winkler.io.traces import CONVENTIONS
 
-__all__ = ["heading_lines"]
-
 WIDTH = 112
 
 

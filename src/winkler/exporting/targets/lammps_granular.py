@@ -7,8 +7,6 @@ from collections.abc import Mapping
 from winkler.exporting.step_law import StepLaw
 from winkler.exporting.targets.c_law import ITEMS
 
-__all__ = ["granular_law"]
-
 MOTIONS = {
     "depth": "share * gm->delta",
     "duration": "gm->history_update ? gm->dt : 0.0",

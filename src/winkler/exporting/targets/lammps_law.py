@@ -14,8 +14,6 @@ from winkler.exporting.targets.one_export import marked
 from winkler.exporting.translation.plain import plain
 from winkler.values.errors import InvalidInput
 
-__all__ = ["PAIR", "WALL", "farthest_hold", "lammps_law"]
-
 MOTIONS = {
     "depth": "depth",
     "duration": "step",

@@ -10,8 +10,6 @@ import hashlib
 import re
 from collections.abc import Mapping
 
-__all__ = ["MARK", "marked"]
-
 MARK = "@mark@"
 """Stands for the digest in texts."""
 DIGITS = 12

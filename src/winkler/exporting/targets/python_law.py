@@ -12,8 +12,6 @@ from winkler.exporting.targets.c_law import factors_of_size, translated_step
 from winkler.exporting.targets.heading import heading_lines
 from winkler.exporting.translation.python_writer import python_source
 
-__all__ = ["python_law"]
-
 TOLERANCE = 1e-11
 """To which the file agrees with the trace, over the greatest number of a column."""
 

@@ -12,8 +12,6 @@ from winkler.exporting.targets.c_law import c_law
 from winkler.exporting.translation.plain import plain
 from winkler.values.errors import InvalidInput
 
-__all__ = ["in_single", "single_law"]
-
 WORST, MARGIN = 1e-3, 10.0
 """A law that is further off has no use in single precision; compilers may be so many times as far off as Python."""
 TOKENS = re.compile(

@@ -9,8 +9,6 @@ from winkler.exporting.targets.c_law import c_law
 from winkler.exporting.targets.compilers import compiled_by_zig
 from winkler.exporting.targets.one_export import MARK, marked
 
-__all__ = ["wasm_law"]
-
 OPTIONS = ("-mexec-model=reactor", "-Wl,--strip-all")
 
 

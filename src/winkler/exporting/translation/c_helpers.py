@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from winkler.exporting.translation.tree import TranslatedType
 
-__all__ = ["FUNCTIONS", "RESERVED", "c_type", "helper", "type_name"]
-
 SCALARS = {"real": "double", "int": "int64_t", "bool": "bool", "void": "void"}
 WORDS = (
     "auto break case char const continue default do double else enum extern float for goto if inline int long register "

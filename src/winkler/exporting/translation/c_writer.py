@@ -20,8 +20,6 @@ from winkler.exporting.translation.tree import (
     array_of,
 )
 
-__all__ = ["INCLUDES", "c_source"]
-
 LEVELS = {"*": 4, "/": 4, "+": 3, "-": 3, "<": 1, "<=": 1, ">": 1, ">=": 1, "==": 1, "!=": 1}
 """How closely operators bind, as far as everybody knows."""
 UNARY_LEVEL = 6

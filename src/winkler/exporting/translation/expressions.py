@@ -24,9 +24,6 @@ from winkler.exporting.translation.tree import (
     tuple_of,
 )
 
-__all__ = ["Expressions", "Library"]
-
-
 ARITHMETIC: dict[type[ast.operator], str] = {
     ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.FloorDiv: "//", ast.Mod: "%", ast.Pow: "**",
     ast.BitAnd: "&", ast.BitOr: "|",

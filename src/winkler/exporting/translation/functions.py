@@ -11,8 +11,6 @@ import numpy as np
 
 from winkler.exporting.translation.tree import BOOL, INT, REAL, TranslatedType, Typed
 
-__all__ = ["REAL_FUNCTIONS", "REDUCTIONS", "SPECIAL", "cast", "extreme"]
-
 WORDS = (
     "sqrt exp expm1 log log1p sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh hypot copysign floor "
     "ceil erf erfc"

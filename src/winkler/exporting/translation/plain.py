@@ -12,8 +12,6 @@ import numpy as np
 from winkler.exporting.translation.subset import Translatable
 from winkler.numerics.jit import Kernel
 
-__all__ = ["plain"]
-
 
 @functools.cache
 def plain(kernel: Translatable) -> Callable[..., Any]:

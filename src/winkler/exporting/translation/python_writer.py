@@ -9,8 +9,6 @@ from typing import Any
 from winkler.exporting.translation.subset import is_translatable, source_of
 from winkler.exporting.translation.tree import Routine, TranslationUnit
 
-__all__ = ["python_source"]
-
 
 def python_source(unit: TranslationUnit) -> str:
     """Return the functions of a unit; they need `math` and numpy as `np`."""

@@ -9,8 +9,6 @@ from winkler.exporting.translation.functions import cast
 from winkler.exporting.translation.subset import KernelSource, unified
 from winkler.exporting.translation.tree import BOOL, INT, VOID, Statement, TranslatedType, Typed
 
-__all__ = ["Statements"]
-
 NOWHERE = "_"
 """The name of what is not needed."""
 

@@ -15,9 +15,6 @@ from winkler.exporting.translation.tree import BOOL, INT, REAL, TranslatedType, 
 from winkler.numerics.jit import Kernel
 from winkler.values.errors import InvalidInput
 
-__all__ = ["KernelSource", "Translatable", "is_translatable", "of_type", "source_of", "unified"]
-
-
 Translatable = Kernel[Any, Any] | Callable[..., Any]
 """What can be translated."""
 

@@ -22,8 +22,6 @@ from winkler.exporting.translation.tree import (
 )
 from winkler.values.errors import InvalidInput
 
-__all__ = ["Translation", "translate"]
-
 MOST_PASSES = 12
 """Until the types of variables settle; each may change from whole to real numbers once."""
 ANNOTATED = {"float": REAL, "int": INT, "bool": BOOL}

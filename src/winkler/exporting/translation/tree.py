@@ -8,22 +8,6 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-__all__ = [
-    "BOOL",
-    "INT",
-    "REAL",
-    "SLICE",
-    "VOID",
-    "Constant",
-    "Routine",
-    "Statement",
-    "TranslatedType",
-    "TranslationUnit",
-    "Typed",
-    "array_of",
-    "tuple_of",
-]  # fmt: skip
-
 
 class TranslatedType(NamedTuple):
     """What an expression is.

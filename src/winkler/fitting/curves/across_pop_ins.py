@@ -14,8 +14,6 @@ from winkler.fitting.curves.events.stated import MARKS
 from winkler.numerics.types import Array
 from winkler.values.readable import with_unit
 
-__all__ = ["across_pop_ins"]
-
 MOST_NAMED = 3
 
 

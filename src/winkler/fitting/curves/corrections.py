@@ -18,20 +18,6 @@ from winkler.values.checks.number_checks import NON_NEGATIVE, checked
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = [
-    "FreeLine",
-    "drag_force",
-    "drift_rate",
-    "free_line",
-    "free_part",
-    "on_frame",
-    "without_baseline",
-    "without_clock_offset",
-    "without_drag",
-    "without_drift",
-    "without_interference",
-]
-
 FEWEST = 10
 
 

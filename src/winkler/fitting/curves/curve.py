@@ -32,8 +32,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.readable import with_unit
 from winkler.values.value import value, words
 
-__all__ = ["ForceCurve"]
-
 FEWEST = 2
 
 

@@ -24,8 +24,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["HELD", "IN", "OUT", "found_directions"]
-
 IN, HELD, OUT = 1.0, 0.0, -1.0
 MOST_CELLS = 2000
 """Most block averages in the search for turns."""

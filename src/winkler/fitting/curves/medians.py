@@ -6,8 +6,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["median"]
-
 
 def median(numbers: Array) -> float:
     """Return the median of finite numbers ``(n,)``, of an even count the mean of the middle two."""

@@ -12,8 +12,6 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.fitting.curves.medians import median
 from winkler.numerics.types import Array
 
-__all__ = ["BASELINE_POINTS", "FEWEST", "SIGNAL_TO_NOISE", "CurveOutline", "far_force", "outline", "single_direction"]
-
 FEWEST = 10
 """Fewest points of one direction."""
 SIGNAL_TO_NOISE = 5.0

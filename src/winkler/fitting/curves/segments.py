@@ -12,8 +12,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput, suggest
 from winkler.values.value import value, words
 
-__all__ = ["Segment", "SegmentKind", "segments_of", "stated_directions"]
-
 LEAST_PEAK_SHARE = 0.9
 """Least force at the start of the last unloading, relative to the greatest."""
 

@@ -25,18 +25,6 @@ from winkler.problems.adhesion.law_states import states_of
 from winkler.problems.normal.indentation import Indentation
 from winkler.values.errors import InvalidInput
 
-__all__ = [
-    "DirectionRun",
-    "HeldContact",
-    "attached",
-    "comparable",
-    "held_contact",
-    "highest_of",
-    "moved_force",
-    "runs_of",
-    "states_for",
-]
-
 MOST_PULLS_BEYOND = 2.0
 """Greatest tension of the continued branch, in multiples of the pull-off force."""
 

@@ -19,8 +19,6 @@ import numpy as np
 from winkler.fitting.elastic.response import MachineResponse, ResponseValues
 from winkler.numerics.types import Array
 
-__all__ = ["DepthTable", "HomogeneousResponse", "depth_table"]
-
 OCTAVES, IN_OCTAVE, DEGREE = 20, 8, 8
 """Octaves of the depth, panels in each, and degree of their polynomials."""
 RESOLUTION = 1e-10

@@ -27,8 +27,6 @@ from winkler.problems.adhesion.edge_states import EdgeStates
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.solve_contact import end_of
 
-__all__ = ["FilmTables"]
-
 NODES = 12
 """Moduli of a window."""
 HALF_WIDTH, OVERLAP = 2.0, 0.05

@@ -19,8 +19,6 @@ from winkler.numerics.types import Array
 from winkler.problems.adhesion.edge_states import EdgeStates, FarStates
 from winkler.problems.normal.solve_contact import flat_radius
 
-__all__ = ["EACH_ANEW", "EachAnew", "HomogeneousTables", "ModelTables", "Response"]
-
 MARGIN, IN_OCTAVE = 1.2, 4
 """Least depth of a table relative to the greatest requested one, and the depths of tables in an octave."""
 KEPT = 16

@@ -14,8 +14,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["DEGREE", "Pair", "PanelSeries", "panel_nodes", "resolved"]
-
 DEGREE = 14
 RESOLUTION = 1e-10
 MOST_HALVINGS = 6

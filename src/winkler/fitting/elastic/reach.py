@@ -17,8 +17,6 @@ from winkler.problems.normal.length_scale import own_length
 from winkler.problems.normal.solve_contact import end_of, flat_radius
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["kinks_between", "machine_curves", "radius_range"]
-
 MOST_DOUBLINGS = 400
 MOST_BISECTIONS = 50
 FEWEST_BISECTIONS = 2

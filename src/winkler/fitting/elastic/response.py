@@ -19,8 +19,6 @@ from winkler.fitting.elastic.rising import RadiusTable, RisingBranch, tabulated
 from winkler.numerics.types import Array
 from winkler.problems.adhesion.edge_states import EdgeStates
 
-__all__ = ["MachineResponse", "ResponseValues", "end_at", "of_table", "response"]
-
 MOST_RELATIVE_SLOPE = 100.0
 """Greatest slope of a force relative to the stiffness with a pinned edge; it diverges at the end of a branch.
 

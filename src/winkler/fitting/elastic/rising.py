@@ -15,8 +15,6 @@ import numpy as np
 from winkler.fitting.elastic.panels import DEGREE, Pair, PanelSeries, panel_nodes, resolved
 from winkler.numerics.types import Array
 
-__all__ = ["PanelPlaces", "RadiusTable", "RisingBranch", "table_of", "tabulated"]
-
 SAMPLES = 8
 MOST_NEWTON_STEPS = 5
 NEWTON_TOLERANCE = 1e-9

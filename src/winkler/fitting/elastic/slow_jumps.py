@@ -22,8 +22,6 @@ from winkler.fitting.elastic.contact import DirectionRun
 from winkler.fitting.misfit import FEWEST_FREE_POINTS
 from winkler.numerics.types import Array
 
-__all__ = ["beside_jumps", "missed_in_contact", "of_slow_jumps"]
-
 LEAST_RATIO = 4.0
 """Least residual of a point of a jump over the typical one of its state."""
 FADING_SHARE = 0.5

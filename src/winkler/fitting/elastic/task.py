@@ -55,8 +55,6 @@ from winkler.problems.plastic.indentation import PlasticIndentation
 from winkler.problems.plastic.yielded_response import GREATEST_POISSON, LEAST_POISSON
 from winkler.values.errors import InvalidInput, OutsideValidity
 
-__all__ = ["ElasticTask", "elastic_task", "starts", "tables_for"]
-
 SHIFTS = (-2.5, -1.0, 1.0, 2.5)
 """Shifts of the contact point, in standard errors, from which a fit with adhesion begins again."""
 EXPLAINED_NOISE = 1.2

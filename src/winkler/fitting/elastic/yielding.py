@@ -20,8 +20,6 @@ from winkler.problems.plastic.indentation import PlasticIndentation, refuse_othe
 from winkler.problems.plastic.release import Release
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
-__all__ = ["YieldingContact", "rough_force", "turning_depths", "yielding_contact"]
-
 MOST_STEPS = 60
 SETTLED = 1e-11
 """Last step of Newton's method for the depth in a machine, in parts of the depth."""

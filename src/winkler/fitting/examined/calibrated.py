@@ -29,8 +29,6 @@ from winkler.values.checks.number_checks import NON_NEGATIVE, checked
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["CalibrationShares", "calibration_shares", "recalibrated"]
-
 SMALL_CHANGE = 1e-3
 """Relative change of a calibration by which its effect is found."""
 

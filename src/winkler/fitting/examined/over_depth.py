@@ -33,8 +33,6 @@ from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.values.readable import with_unit
 from winkler.values.value import value, words
 
-__all__ = ["DepthSeries", "over_depth"]
-
 LEAST_SHARE = 0.1
 """Smallest depth, in parts of the greatest."""
 FEWEST_IN_CONTACT = 12

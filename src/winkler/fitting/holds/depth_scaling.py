@@ -22,8 +22,6 @@ from winkler.problems.master_curves.temperature_groups import in_own_units, spre
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["DepthScaling", "HoldVerdict", "depth_scaling", "distinct_radii"]
-
 LEAST_RATIO = 1.05
 """Least ratio of the greatest contact radius to the smallest."""
 PER_DECADE = 4

@@ -22,8 +22,6 @@ from winkler.values.readable import with_unit
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["HeldContacts", "HeldContactsSolution"]
-
 SCALING = "generalised least squares of the shifts of all holds over the contact radius, at 99 % confidence"
 STEADY, GROWING = "0.01, which is 5 % of D", "0.03, which is 12 % of D"
 """What is not known of g, of a constant contact radius and of one that grows: over the greatest slope dg/d ln t."""

@@ -14,8 +14,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.limits import MEASURED_TIMES
 from winkler.values.value import value, words
 
-__all__ = ["HeldForce", "checked_holds"]
-
 FEWEST_ROWS = 8
 
 

@@ -21,8 +21,6 @@ from winkler.problems.poroelastic.relaxation_table import GREATEST_POISSON, rela
 from winkler.values.errors import NotConverged
 from winkler.values.value import value, words
 
-__all__ = ["PoroelasticFit", "fit_poroelastic"]
-
 STARTS = (0.1, 1.0, 10.0)
 """Times of diffusion at which the search begins, relative to the middle of the measured ones."""
 NEAR_BOUND = 1e-4

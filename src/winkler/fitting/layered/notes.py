@@ -17,8 +17,6 @@ from winkler.problems.normal.validity import shape_notes
 from winkler.values.errors import WinklerError
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["layered_fit_notes"]
-
 CELLS, FEWER_CELLS, MARGIN = 64, 32, 1.3
 SMALL_CHANGE, LARGE_CHANGE = 1e-3, 1e-2
 """Of the greatest force, up to which the cells are good, and beyond which they are not."""

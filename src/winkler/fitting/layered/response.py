@@ -24,8 +24,6 @@ from winkler.numerics.transforms.modulus_waves import ModulusWaves, creep_of_pol
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput, NotConverged
 
-__all__ = ["LayeredHistory", "StackWaves", "TooWide", "along_path", "relaxing_solid", "stack_waves"]
-
 DECADE = 0.5
 """Ranges of moduli end at powers of ten by this step, so that one serves many numbers."""
 

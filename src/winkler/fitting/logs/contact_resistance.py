@@ -33,8 +33,6 @@ from winkler.values.readable import with_unit
 from winkler.values.validity import Assumption, Note, Standing, standing_of
 from winkler.values.value import value, words
 
-__all__ = ["MeasuredConstriction", "MeasuredConstrictionSolution", "ResistanceLog"]
-
 FEWEST_ROWS = 8
 PARTS = ("resistivity", "film", "series")
 UNITS = ("ohm m", "ohm m^2", "ohm")

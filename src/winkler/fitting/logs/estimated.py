@@ -13,8 +13,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["Estimate", "inflation", "last_of_line", "mean_of"]
-
 
 class Estimate(NamedTuple):
     """A number with its standard error, and how many independent rows it has beyond the fitted numbers."""

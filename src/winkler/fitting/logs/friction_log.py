@@ -20,8 +20,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.limits import PATH_POINTS
 from winkler.values.value import value, words
 
-__all__ = ["FEWEST_POINTS", "Cycle", "FrictionLog", "noise_of"]
-
 TURN_SHARE, TURN_NOISES = 0.1, 12.0
 """Least way back behind a turning point, over the range of the displacement, and over its noise."""
 FEWEST_POINTS = 16

@@ -32,8 +32,6 @@ from winkler.values.readable import with_unit
 from winkler.values.validity import Assumption, Note, Standing, standing_of
 from winkler.values.value import value, words
 
-__all__ = ["FrictionLoops", "FrictionLoopsSolution"]
-
 CURVE_POINTS = 160
 """Points of the contact's curve up to sliding, between which it is interpolated."""
 MOST_FITTED = 200

@@ -19,8 +19,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["BounceTimes", "PinOnDisc"]
-
 FEWEST_BOUNCES, FEWEST_ROWS = 5, 20
 
 

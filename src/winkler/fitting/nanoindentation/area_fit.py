@@ -12,8 +12,6 @@ import numpy as np
 from winkler.fitting.nanoindentation.readings import area_of
 from winkler.numerics.types import Array
 
-__all__ = ["COMMON_ZERO", "AreaFit", "ReferenceReadings", "covariance_of", "fitted_area", "slope_of"]
-
 COMMON_ZERO = 0.25
 """Part of the variance of the zero points that all curves share: their laws of the first contact fail alike."""
 DEPTH_STEP = 1e-5

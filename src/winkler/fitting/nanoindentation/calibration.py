@@ -50,8 +50,6 @@ from winkler.materials.elastic import Elastic
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput, NotConverged, WinklerError
 
-__all__ = ["calibrate_indenter"]
-
 ROUNDS = 8
 AREA_ROUNDS = 2
 """Rounds after which the area function, by which the touches are found, is taken anew."""

@@ -14,8 +14,6 @@ from winkler.numerics.types import Array
 from winkler.values.validity import Note
 from winkler.values.value import value, words
 
-__all__ = ["IndenterCalibration"]
-
 
 @value
 class IndenterCalibration:

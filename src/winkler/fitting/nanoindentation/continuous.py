@@ -19,8 +19,6 @@ from winkler.values.readable import with_unit
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["ContinuousIndentation", "ContinuousIndentationSolution", "WindowMean"]
-
 INTERCEPT = 0.75
 UNSEEN = Note(
     Assumption.RESPONSE,

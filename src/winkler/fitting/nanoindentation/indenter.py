@@ -13,8 +13,6 @@ from winkler.values.checks.number_checks import NonNegative, Positive
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["DIAMOND", "CalibratedIndenter"]
-
 DIAMOND = Elastic(young=1141e9, poisson=0.07)
 """Diamond as in ISO 14577-1 (1140 GPa) and in the instruments' programs (1141 GPa)."""
 

@@ -51,16 +51,6 @@ from winkler.values.readable import with_unit
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = [
-    "COMMON_SOURCES",
-    "Nanoindentation",
-    "NanoindentationSolution",
-    "Prepared",
-    "contributions",
-    "prepared",
-    "touched",
-]
-
 INTERCEPT = 0.75
 SECANT = (0.75, 0.95)
 """Parts of the peak between which an unloading is taken as straight: its compliance is needed to a few per cent."""

@@ -12,8 +12,6 @@ from winkler.numerics.types import Array
 from winkler.values.readable import with_unit
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["calibration_note", "calibration_notes", "nanoindentation_notes"]
-
 DETERMINED_SHARE = 0.02
 """Greatest uncertainty of the frame of a good calibration, relative to the least compliance of a contact."""
 MOST_SCATTER = 2.0

@@ -26,8 +26,6 @@ from winkler.values.checks.number_checks import POSITIVE, checked
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["PopInStatistics", "first_yield_stress", "pop_in_statistics"]
-
 BOLTZMANN = 1.380649e-23
 FEWEST = 3
 

@@ -37,8 +37,6 @@ from winkler.fitting.nanoindentation.zero_point import ZeroPoint
 from winkler.numerics.types import Array
 from winkler.values.value import value, words
 
-__all__ = ["IndentationQuantities", "indentation_quantities"]
-
 SURFACE_RATIO = 26.43 / 24.50
 """Surface over projected area of Vickers' pyramid."""
 GRAVITY = 9.80665

@@ -24,8 +24,6 @@ from winkler.fitting.nanoindentation.indenter import CalibratedIndenter
 from winkler.numerics.types import Array
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["Peaks", "Readings", "area_of", "factors_of", "moved_by", "readings_of"]
-
 STEP = 1e-6
 
 

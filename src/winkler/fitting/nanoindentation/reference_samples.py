@@ -6,8 +6,6 @@ from winkler.materials.elastic import Elastic
 from winkler.values.checks.number_checks import NonNegative, PoissonRatio, Positive
 from winkler.values.value import value, words
 
-__all__ = ["FUSED_SILICA", "SAPPHIRE", "ReferenceSample"]
-
 
 @value
 class ReferenceSample:

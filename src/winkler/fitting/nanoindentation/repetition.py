@@ -28,8 +28,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["RepeatedMean", "compared_quantities", "repeated_mean"]
-
 LARGEST_RELATIVE = 600.0
 """Half-width of an interval, relative to the mean, from which on its upper end is beyond all moduli."""
 

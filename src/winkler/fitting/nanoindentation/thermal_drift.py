@@ -20,8 +20,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.readable import with_unit
 from winkler.values.value import value, words
 
-__all__ = ["ThermalDrift", "found_drift"]
-
 LARGEST_SHARE = 0.25
 """Greatest force of the hold, in parts of the greatest of the curve: above it the sample creeps."""
 AFTER = (SegmentKind.PARTIAL_UNLOADING, SegmentKind.LAST_UNLOADING)

@@ -24,8 +24,6 @@ import numpy as np
 from winkler.fitting.noise.estimate import noise_of
 from winkler.numerics.types import Array
 
-__all__ = ["LEAST_POINTS", "Touch", "TouchByArea", "fitted_touch", "white_noise"]
-
 LEAST_POINTS = 8
 MOST_STARTED = 300
 """Points from which a start is sought."""

@@ -32,8 +32,6 @@ from winkler.fitting.unloading.unloading_law import UnloadingLaw, fitted_power_l
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput, NotConverged
 
-__all__ = ["FittedUnloadings", "fitted_unloadings"]
-
 EXPONENTS = (1.0, 1.5, 2.0)
 CROSSINGS = np.geomspace(1e-4, 2.0, 20)
 """Frequencies omega_c [rad per point] at which slow and white noise are equal."""

@@ -23,8 +23,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["ZeroPoint", "found_zero_point"]
-
 SMALLEST_WINDOW, WINDOW_RATIO, LARGEST_WINDOW = 25.0, 2.0, 0.25
 """Ranges of forces that are fitted: the smallest over the noise, the ratio, and the largest over the greatest force."""
 AGREEMENT = 1.0

@@ -7,8 +7,6 @@ import numpy as np
 from winkler.fitting.curves.curve import ForceCurve
 from winkler.numerics.types import Array
 
-__all__ = ["disturbances_of"]
-
 LEAST_OWN_SHARE = 0.05
 """Least part of a course that the courses before do not contain."""
 

@@ -33,8 +33,6 @@ from winkler.fitting.noise.mixture import Mixture
 from winkler.fitting.noise.spectra import Candidates, candidates, transformed
 from winkler.numerics.types import Array
 
-__all__ = ["NoiseEstimate", "noise_of", "orthonormal"]
-
 ABSENT, FAINT, PRESENT = 1e-6, 0.05, 3.0
 """Standard deviations s of disturbances, in parts of that of the noise."""
 NONE_WEIGHT, FAINT_WEIGHT = 0.45, 0.19

@@ -21,8 +21,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["SIGMAS", "Mixture"]
-
 SIGMAS = (1.0, 1.644853627, 1.959963985, 2.575829304, 3.0)
 """Half-widths of a normal distribution, in standard deviations, that hold the stated parts: 68, 90, 95, 99, 99.7 %."""
 FARTHEST = 20.0

@@ -29,8 +29,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["Candidates", "candidates", "transformed"]
-
 SINGLE_BINS, BIN_RATIO = 64, 1.03
 """Frequencies with a bin of their own, and ratio of the ends of the others."""
 EXPONENTS, EXPONENT_WEIGHTS = (1.0, 1.5, 2.0, 2.5), (0.08, 0.18, 0.62, 0.12)

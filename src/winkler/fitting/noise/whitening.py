@@ -14,8 +14,6 @@ from winkler.fitting.noise.estimate import NoiseEstimate
 from winkler.fitting.noise.spectra import transformed
 from winkler.numerics.types import Array
 
-__all__ = ["Whitening", "whitening_of"]
-
 
 class Whitening(NamedTuple):
     """Scales of the cosine transform ``(n,)``, orthonormal directions ``(n, q)``, and their reductions ``(q,)``."""

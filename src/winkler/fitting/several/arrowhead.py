@@ -17,8 +17,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["CurveBlock", "Reduced", "reduced", "solved_blocks"]
-
 
 class CurveBlock(NamedTuple):
     """Information and gradient of one curve.

@@ -11,8 +11,6 @@ from winkler.fitting.several.population import Population, quantile
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["GroupRatio", "ratio_of"]
-
 
 @value
 class GroupRatio:

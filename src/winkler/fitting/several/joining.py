@@ -22,8 +22,6 @@ from winkler.fitting.task import FitTask
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["Joined", "joined"]
-
 MOST_STEPS = 60
 SETTLED = 1e-9
 """Relative decrease of the sum at which plain least squares stop."""

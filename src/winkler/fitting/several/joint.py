@@ -13,8 +13,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput, suggest
 from winkler.values.value import value, words
 
-__all__ = ["JointFit"]
-
 
 @value
 class JointFit:

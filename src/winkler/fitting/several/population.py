@@ -34,8 +34,6 @@ from winkler.numerics.types import Array, ArrayLike
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["Population", "population", "quantile"]
-
 FEWEST = 2
 FEWEST_FOR_DECISIVE = 5
 DECISIVE_SHARE = 0.5

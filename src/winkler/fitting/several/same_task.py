@@ -13,8 +13,6 @@ from winkler.fitting.task import FitTask
 from winkler.fitting.viscoelastic.drive import driven_task, examined_stroke
 from winkler.numerics.types import Array
 
-__all__ = ["SameTask", "same_task"]
-
 
 class SameTask(NamedTuple):
     """A task, coordinates of it ``(p,)``, and the fit of its curve."""

@@ -22,8 +22,6 @@ from winkler.numerics.types import Array, ArrayLike
 from winkler.values.readable import with_unit
 from winkler.values.value import value, words
 
-__all__ = ["LEAST_STATED", "BatchQuantity", "copies", "doubts_of_batch", "outlying", "standing_out"]
-
 FEWEST, LEAST_STATED = 5, 3
 """Fewest curves that are compared, and of which median and deviation are stated."""
 LIMIT = 5.0

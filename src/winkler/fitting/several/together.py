@@ -33,8 +33,6 @@ from winkler.numerics.types import Array
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity, suggest
 
-__all__ = ["fit_together", "joint_of"]
-
 FEWEST = 2
 
 

@@ -25,17 +25,6 @@ from winkler.values.checks.number_checks import NonNegative, PositiveOrInfinite
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.value import value, words
 
-__all__ = [
-    "CalibratedArea",
-    "ContactReading",
-    "Tip",
-    "area_at",
-    "contact_reading",
-    "intercept_factor",
-    "polynomial",
-    "sample_young",
-]
-
 
 def intercept_factor(exponent: float) -> float:
     """Return epsilon [-] of a body that unloads with an exponent m > 1; 1 for m = 1.

@@ -13,8 +13,6 @@ from winkler.values.checks.number_checks import POSITIVE_OR_INFINITE, Advice, Nu
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["ContinuousStiffness"]
-
 POINTS_ADVICE = Advice("give the points as they were taken, and leave out those without numbers")
 FEWEST = 2
 

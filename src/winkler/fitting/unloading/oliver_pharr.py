@@ -38,8 +38,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["OliverPharr", "OliverPharrSolution"]
-
 DIFFERENCE_STEP = 1e-6
 
 

@@ -16,8 +16,6 @@ from winkler.fitting.noise.estimate import noise_of
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["UnloadingLaw", "fitted_power_law"]
-
 MOST_EVALUATIONS = 200
 SMOOTH_DEGREE = 5
 EXPONENT_BOUNDS = (-12.0, 3.0)

@@ -27,8 +27,6 @@ from winkler.profiles.calibrated_tip import CalibratedTip, TabulatedTip
 from winkler.values.readable import with_unit
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["unloading_notes"]
-
 READING = "W. C. Oliver, G. M. Pharr, J. Mater. Res. 7 (1992) 1564-1583, doi:10.1557/JMR.1992.1564"
 REVIEW = "W. C. Oliver, G. M. Pharr, J. Mater. Res. 19 (2004) 3-20, doi:10.1557/jmr.2004.19.1.3"
 PILE_UP = "A. Bolshakov, G. M. Pharr, J. Mater. Res. 13 (1998) 1049-1058, doi:10.1557/JMR.1998.0146"

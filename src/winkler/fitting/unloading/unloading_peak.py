@@ -12,8 +12,6 @@ from winkler.fitting.noise.estimate import noise_of
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 
-__all__ = ["FEWEST", "UnloadingFromPeak", "unloading_from_peak"]
-
 FEWEST = 10
 """Points of an unloading below which none is evaluated."""
 HOLD_END_SHARE = 0.1

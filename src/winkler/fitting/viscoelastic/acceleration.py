@@ -14,8 +14,6 @@ from winkler.fitting.curves.curve import ForceCurve
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 
-__all__ = ["tip_acceleration"]
-
 GREATEST_UNEVENNESS = 1.5
 """Greatest ratio of two steps of time."""
 DEGREE = 4

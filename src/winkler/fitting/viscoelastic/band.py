@@ -16,8 +16,6 @@ from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.viscoelastic.march import relaxation_of
 
-__all__ = ["RelaxationBand", "observed_times", "relaxation_band"]
-
 RELATIVE_STEP = 1e-3
 
 

@@ -13,8 +13,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["Corners", "corners_of", "with_corners"]
-
 FEWEST, LINE_DIVISOR = 6, 20
 """Least points of a line, and parts of a stretch of one direction that make one."""
 NEIGHBOURS = (0, -1, 1)

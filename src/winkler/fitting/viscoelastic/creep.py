@@ -34,8 +34,6 @@ from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["FORCE_FIT_SHARE", "LEAST_NOISE", "UnderForce"]
-
 FORCE_FIT_SHARE = 0.1
 """Part of the greatest force from which on positions are fitted."""
 LEAST_NOISE = 1e-6

@@ -53,8 +53,6 @@ from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.viscoelastic.march import elastic_like
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
-__all__ = ["driven_task", "examined_stroke"]
-
 STEADY_CHANGE = 0.05
 """Greatest relative change of a constant force."""
 EXPONENT_BOUNDS = (1e-3, 0.999)

@@ -19,8 +19,6 @@ from winkler.numerics.types import Array
 from winkler.problems.viscoelastic.indentation import ViscoelasticIndentation
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 
-__all__ = ["UnderMotion"]
-
 
 class UnderMotion(RelaxingTask):
     """Forces fitted along the measured motion."""

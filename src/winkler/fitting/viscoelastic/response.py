@@ -20,8 +20,6 @@ from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.solve_contact import at_end
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["ContactHistory", "ElasticTable", "elastic_table", "forces", "positions"]
-
 TABLE_INTERVALS = 800
 TABLE_RATIO = 1.25
 """Tables end at powers of it, so that one table serves many contact points."""

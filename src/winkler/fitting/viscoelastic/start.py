@@ -20,8 +20,6 @@ from winkler.fitting.viscoelastic.response import elastic_table, forces
 from winkler.numerics.types import Array
 from winkler.problems.viscoelastic.march import elastic_like, relaxation_of
 
-__all__ = ["TIMES", "field_name", "is_modulus", "starts", "trials", "window"]
-
 EXPONENT_TRIALS = (0.1, 0.3, 0.6)
 SINGLE_TIME_SHARES = (0.003, 0.03, 0.3)
 """Trials of a single time, over the time in contact."""

@@ -38,8 +38,6 @@ from winkler.numerics.types import Array
 from winkler.problems.viscoelastic.march import elastic_like
 from winkler.values.errors import InvalidInput
 
-__all__ = ["RelaxingTask"]
-
 COARSE_STEP = 1e-3
 """Step of parameters that change the number of terms of a series, whose error is then discontinuous."""
 ROUGH_NUMBERS = ("exponent", "relaxation_time")

@@ -21,8 +21,6 @@ from winkler.io.tables.given_units import GivenFacts
 from winkler.values.errors import InvalidInput
 from winkler.values.units import scale
 
-__all__ = ["ENDING", "is_asylum_half", "tests_of_asylum_columns", "tests_of_asylum_pair"]
-
 ENDING, DEFLECTION, POSITIONS = ".ibw", "Defl", ("ZSnsr", "LVDT", "Raw")
 OTHER_DEFLECTIONS, OTHER_POSITIONS = ("Deflection",), ("ZSensor", "Height")
 NOTE = re.compile(r"(?:\A|[\r\n])\s*(SpringConstant|InvOLS|XLVDT|YLVDT)\s*:\s*([-+0-9.eE]{1,40})\s*(?=[\r\n]|\Z)")

@@ -6,8 +6,6 @@ from winkler.io.instruments.instrument_test import measures
 from winkler.values.errors import InvalidInput
 from winkler.values.units import scale
 
-__all__ = ["force_factor"]
-
 
 def force_factor(
     unit: str, spring: float | None, sensitivity: float | None, origin: str, path: object

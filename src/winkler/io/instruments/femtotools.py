@@ -16,8 +16,6 @@ from winkler.io.instruments.instrument_test import InstrumentTest
 from winkler.io.instruments.number_block import columns_of, rows_of, split_unit
 from winkler.values.errors import InvalidInput
 
-__all__ = ["is_femtotools", "tests_of_femtotools"]
-
 COMMENT = "//"
 BETWEEN = re.compile(r"\s{2,}|(?<=\])\s")
 """Between the names of a header without tabs."""

@@ -31,8 +31,6 @@ from winkler.io.workbooks.workbook_cells import is_workbook
 from winkler.values.errors import InvalidInput
 from winkler.values.limits import HEADER_LETTERS
 
-__all__ = ["METHOD", "instrument_tests", "refuse_method", "states_curves"]
-
 UNREAD = (".tdm", ".tdx")
 """Files of Hysitron in a format of National Instruments, of which no public one was found to compare numbers with."""
 METHOD = "it is the method"

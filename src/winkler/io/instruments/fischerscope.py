@@ -13,8 +13,6 @@ from winkler.io.instruments.instrument_test import InstrumentTest
 from winkler.io.instruments.number_block import columns_of, rows_of
 from winkler.values.errors import InvalidInput
 
-__all__ = ["is_fischerscope", "tests_of_fischerscope"]
-
 TEST = re.compile(r"Block\s*:\s*(\d+)\s+Value\s*:\s*(\d+)\s*")
 TABLE = re.compile(r"F\s+h\s+t\s*")
 PLACE = re.compile(r"x=\s*(-?[\d.,]+)\s+y=\s*(-?[\d.,]+)\s*")

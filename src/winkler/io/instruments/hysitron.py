@@ -16,8 +16,6 @@ from winkler.io.instruments.number_block import columns_of, rows_of, split_unit
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 
-__all__ = ["is_hld", "is_nano_dma", "tests_of_hld", "tests_of_nano_dma"]
-
 SETTING = re.compile(r"([^:]{1,60}):[ \t]*(.*)")
 TOLD = ("Machine Comp", "Drift Rate", "Disp Shift", "Force Shift", "Tip ID", "FB Mode")
 """Settings that the reading repeats."""

@@ -11,8 +11,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 from winkler.values.units import scale
 
-__all__ = ["InstrumentColumn", "InstrumentTest", "measures"]
-
 
 class InstrumentColumn(NamedTuple):
     """A column: its name and unit as the file states them, and its numbers ``(n,)``, nan where there is none."""

@@ -22,8 +22,6 @@ from winkler.io.tables.given_units import GivenFacts
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 
-__all__ = ["is_jpk_text", "tests_of_jpk_text"]
-
 SETTING = re.compile(r"#\s*+([A-Za-z][\w.-]{0,80}):\s?(.*)")
 HEIGHTS = (
     "smoothedmeasuredheight", "measuredheight", "capacitivesensorheight", "smoothedcapacitivesensorheight",

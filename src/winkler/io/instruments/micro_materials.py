@@ -16,8 +16,6 @@ from winkler.io.instruments.instrument_test import InstrumentTest
 from winkler.io.instruments.number_block import columns_of, is_row, rows_of
 from winkler.values.errors import InvalidInput
 
-__all__ = ["NAME", "is_micro_materials", "tests_of_micro_materials"]
-
 NAME = re.compile(r".*?(?<!\d)(\d++) (-?\d++) (-?\d++)\.txt", re.DOTALL | re.IGNORECASE)
 """Name, number of the test, and its place in um."""
 COLUMNS = (("time", "s"), ("depth", "nm"), ("load", "mN"))

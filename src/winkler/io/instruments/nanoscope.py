@@ -22,8 +22,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 from winkler.values.units import scale
 
-__all__ = ["is_nanoscope", "tests_of_nanoscope"]
-
 FORCES, IMAGES = b"\\*Force file list", b"\\*File list"
 HEAD_BYTES = 2_000_000
 HEAD_END = b"\\*File list end"

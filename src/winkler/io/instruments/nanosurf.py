@@ -21,8 +21,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 from winkler.values.units import scale
 
-__all__ = ["is_nanosurf_text", "tests_of_nanosurf_text"]
-
 SETTING = re.compile(r"#([A-Za-z][A-Za-z-]{0,40})=(.*)")
 COLUMNS, PHASE, POINT = "Spec-Data", "Spec-Name", "SpecMap-CurIndex"
 SPRING, SENSITIVITY = "Spring-Constant", "Deflection-Sensitivity"

@@ -22,8 +22,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 from winkler.values.limits import FILE_BYTES
 
-__all__ = ["is_nanosurf_nid", "tests_of_nanosurf_nid"]
-
 BEGIN, END = b"[DataSet]", b"#!"
 HEAD_BYTES = 1_000_000
 """Most bytes of the head."""

@@ -13,8 +13,6 @@ from winkler.io.tables.table_cells import ABSENT, is_number
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 
-__all__ = ["columns_of", "is_row", "rows_of", "split_unit", "stated_number"]
-
 
 def is_row(line: str, count: int, separator: str | None = "\t") -> bool:
     """Return whether a line holds so many cells, all of them numbers, some perhaps with a decimal comma."""

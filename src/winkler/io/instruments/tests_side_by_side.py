@@ -28,8 +28,6 @@ from winkler.io.workbooks.workbook_cells import is_workbook
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 
-__all__ = ["tests_side_by_side"]
-
 DEFLECTION_NAMES = ("defl", "deflection")
 QUANTITIES = (
     ("force", (*FORCE_NAMES, *DEFLECTION_NAMES), "N"),

@@ -34,8 +34,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 from winkler.values.units import scale
 
-__all__ = ["curves_of_test", "is_results"]
-
 LARGEST_NUMBER = 1e100
 """Instruments write 1.8e308 for a number that they could not compute."""
 ROLES = {

@@ -18,8 +18,6 @@ from winkler.io.instruments.number_block import stated_number
 from winkler.io.tables.given_units import GivenFacts
 from winkler.values.errors import InvalidInput
 
-__all__ = ["is_universal_text", "tests_of_universal_text"]
-
 FIRST = "HE UFF_code"
 SETTING = re.compile(r"HE ([^:\s]{1,80}):\s*+(.*)")
 ROW = re.compile(r"([A-Z]{2})\s++(\d{1,6})((?:\s++[-+.\deE]{1,30}){2,9})\s*+")

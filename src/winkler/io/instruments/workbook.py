@@ -22,8 +22,6 @@ from winkler.io.workbooks.workbook_cells import Cell, WorkbookSheet, sheets_of
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 
-__all__ = ["tests_of_workbook"]
-
 TEST = re.compile(r"test\s*0*(\d+)", re.IGNORECASE)
 NO_TESTS = ("results", "required inputs", "inputs editable post test", "calculations", "summary", "analyst project")
 HEADER_ROWS = 30

@@ -18,22 +18,6 @@ from winkler.io.tables.table import HEADER_AGAIN, read_table
 from winkler.io.tables.tests_of_table import parts_of_table
 from winkler.values.errors import InvalidInput
 
-__all__ = [
-    "BOUNCE",
-    "CLOCK",
-    "DISPLACEMENT",
-    "DISTANCE",
-    "FORCE",
-    "FRICTION",
-    "LOSS",
-    "RESISTANCE",
-    "SHEAR",
-    "read_bounces",
-    "read_friction_log",
-    "read_pin",
-    "read_resistance_log",
-]
-
 BOUNCE = Column("time of a bounce", ("bounce", "bounces", "bounce time", "impact time", "bounce_time"), "s")
 DISTANCE = Column("distance", ("distance", "sliding distance", "path", "gleitweg"), "m")
 FRICTION = Column(

@@ -13,8 +13,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.limits import FILE_BYTES
 from winkler.values.units import scale
 
-__all__ = ["is_simple_field", "simple_field_map"]
-
 MARK = b"Gwyddion Simple Field 1.0\n"
 HEAD_BYTES = 100_000
 """Most bytes of settings,"""

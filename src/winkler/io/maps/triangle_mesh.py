@@ -13,8 +13,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 from winkler.values.limits import FILE_BYTES
 
-__all__ = ["mesh_map"]
-
 HEAD_SIZE, COUNT_SIZE = 80, 4
 FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 VERTEX = re.compile(rb"vertex[ \t]++([-+0-9.eE]{1,30}+)[ \t]++([-+0-9.eE]{1,30}+)[ \t]++([-+0-9.eE]{1,30}+)")

@@ -9,8 +9,6 @@ from pathlib import Path
 
 from winkler.io.processes.stopping import deferred_signals
 
-__all__ = ["lock", "locked", "open_locked"]
-
 
 def lock(file: int) -> bool:
     """Lock an open file for this process.

@@ -21,17 +21,6 @@ from collections.abc import Iterator
 from types import FrameType
 from typing import Any, NoReturn
 
-__all__ = [
-    "INTERRUPTED",
-    "TERMINATED",
-    "ReceivedSignal",
-    "clear_interrupt",
-    "deferred_signals",
-    "raise_pending",
-    "receiving_signals",
-    "set_kept_text",
-]
-
 INTERRUPTED, TERMINATED = 130, 143
 """What the command line returns after Ctrl-C, and after SIGTERM."""
 

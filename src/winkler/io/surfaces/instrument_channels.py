@@ -24,8 +24,6 @@ from winkler.io.text_file import UTF16_MARKS, content_of, of_other_program, refu
 from winkler.values.errors import InvalidInput, suggest
 from winkler.values.limits import FILE_BYTES
 
-__all__ = ["channel_contents", "tip_radius_of"]
-
 T = TypeVar("T")
 
 CONTENTS = {1: ("line scan", "height maps"), 2: ("height map", "line scans")}

@@ -12,8 +12,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 from winkler.values.limits import MOST_NUMBERS
 
-__all__ = ["ScanContents", "instrument_scan"]
-
 
 class ScanContents(NamedTuple):
     """Line scan as a file holds it.

@@ -8,8 +8,6 @@ from typing import Any
 from winkler.io.archive_file import archive, is_archive
 from winkler.values.errors import InvalidInput, suggest
 
-__all__ = ["contained_surface", "is_container", "measurement_names"]
-
 LISTS = {"meta.yml", "index.json"}
 """Files that name the measurements."""
 REMEDY = "download the container anew"

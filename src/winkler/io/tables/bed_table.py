@@ -14,8 +14,6 @@ from winkler.io.tables.header import names_columns
 from winkler.io.tables.table import Column, read_table
 from winkler.values.errors import InvalidInput
 
-__all__ = ["read_bed"]
-
 DEPTH = Column("depth", ("depth", "d", "indentation", "displacement"), "m", "nm")
 FORCE = Column("force", ("force", "load", "f", "p"), "N", "mN")
 RADIUS = Column("contact radius", ("radius", "a", "contact radius"), "m", "um")

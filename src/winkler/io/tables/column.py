@@ -6,8 +6,6 @@ from collections.abc import Sequence
 
 from winkler.values.value import value
 
-__all__ = ["Column", "example_of"]
-
 
 @value
 class Column:

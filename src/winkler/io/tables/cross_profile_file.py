@@ -17,8 +17,6 @@ from winkler.numerics.types import Array
 from winkler.profiles.sections.cross_profile import CrossProfile
 from winkler.values.errors import InvalidInput
 
-__all__ = ["read_cross_profile"]
-
 ACROSS = Column("place across", ("y", "x", "lateral"), "m", "mm")
 UP = Column("height", ("z", "height", "vertical"), "m", "mm")
 KEY = re.compile(r"\s*+([A-Za-z][\w.]*+)\s*+=\s*+(.*)")

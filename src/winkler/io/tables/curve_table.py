@@ -47,8 +47,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 from winkler.values.units import comma_hint, scale
 
-__all__ = ["is_curve_table", "read_curve_tables"]
-
 POSITION = Column("position", POSITION_NAMES, "m", "nm")
 DEPTH = Column("depth", DEPTH_NAMES, "m", "nm")
 GAP = Column(

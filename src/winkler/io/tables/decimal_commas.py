@@ -12,8 +12,6 @@ from winkler.io.tables.table_cells import is_number
 from winkler.values.errors import InvalidInput
 from winkler.values.units import comma_hint, comma_readings
 
-__all__ = ["DecimalCommas"]
-
 
 class DecimalCommas:
     """The cells of one file that have a comma, and whether their meaning is certain.

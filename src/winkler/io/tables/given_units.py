@@ -12,17 +12,6 @@ from winkler.io.tables.column import Column, example_of
 from winkler.values.errors import InvalidInput, suggest
 from winkler.values.units import scale
 
-__all__ = [
-    "LACKS_UNIT",
-    "GivenFacts",
-    "checked_columns",
-    "checked_units",
-    "filled_units",
-    "key_of",
-    "refuse_contradiction",
-    "unit_asked",
-]
-
 USUAL = {"position": "nm", "force": "uN", "time": "s", "deflection": "nm", "stiffness": "N/m"}
 """The quantities whose unit can be given, each with a customary unit."""
 KINDS = {"position": ("m",), "force": ("N",), "time": ("s",), "deflection": ("m", "V"), "stiffness": ("N/m",)}

@@ -13,8 +13,6 @@ from winkler.io.tables.table import Column, read_table
 from winkler.materials.depth_grading import TabulatedGrading
 from winkler.values.errors import InvalidInput
 
-__all__ = ["read_grading"]
-
 DEPTH = Column("depth", ("depth", "z"), "m", "um")
 YOUNG = Column("Young's modulus", ("young", "e", "modulus"), "Pa", "GPa")
 POISSON = Column("Poisson's ratio", ("poisson", "nu"), "")

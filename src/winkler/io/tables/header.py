@@ -15,22 +15,6 @@ from winkler.io.tables.table_lines import table_head
 from winkler.values.errors import InvalidInput
 from winkler.values.units import scale
 
-__all__ = [
-    "SEPARATORS_TRIED",
-    "Header",
-    "bare_columns",
-    "either",
-    "header_lines",
-    "header_of",
-    "names_columns",
-    "names_seen",
-    "needs_of",
-    "placed_header",
-    "separator_of",
-    "stated_header",
-    "zero_of",
-]
-
 SEPARATORS_TRIED = ("\t", ";", ",", None)
 LEAST_TABS = 2
 """Tabs within a line from which on its names are apart by them, and may hold spaces."""

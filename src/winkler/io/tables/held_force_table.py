@@ -10,8 +10,6 @@ from winkler.io.tables.relaxation_table import TIME
 from winkler.io.tables.table import Column, read_table
 from winkler.problems.poroelastic.held import HeldProfile
 
-__all__ = ["read_held_force"]
-
 FORCE = Column("force", ("force", "load", "f", "f_n"), "N", "mN")
 
 

@@ -19,8 +19,6 @@ from winkler.problems.particles.contact_law import ContactLawSolution
 from winkler.values.errors import InvalidInput
 from winkler.values.vocabulary import word
 
-__all__ = ["write_law"]
-
 COLUMNS = ("depth", "force", "radius", "stiffness", "shear_stiffness", "energy")
 LAW_CONVENTIONS = (
     "One curve for loading and unloading: the contact has no friction, no adhesion and no memory; below depth 0 all "

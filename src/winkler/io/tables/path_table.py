@@ -11,8 +11,6 @@ from winkler.loading.loads import Angle, Depth, Force, ShearForce, Shift, Torque
 from winkler.loading.path import Path
 from winkler.values.errors import InvalidInput
 
-__all__ = ["read_path"]
-
 TIME = Column("time", ("time", "t"), "s", "ms")
 NORMAL_COLUMNS: dict[type[Depth] | type[Force], tuple[Column, ...]] = {
     Depth: (Column("depth", ("depth", "d"), "m", "um"),),

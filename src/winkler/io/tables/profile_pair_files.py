@@ -11,8 +11,6 @@ from winkler.io.tables.cross_profile_file import read_cross_profile
 from winkler.profiles.sections.cross_profile import CrossProfile
 from winkler.values.errors import InvalidInput
 
-__all__ = ["read_profile_pair"]
-
 PLACES = 2001
 Path = str | os.PathLike[str]
 

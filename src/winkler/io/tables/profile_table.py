@@ -19,8 +19,6 @@ from winkler.profiles.measured import Measured
 from winkler.profiles.sections.measured_section import MeasuredSection
 from winkler.values.errors import InvalidInput
 
-__all__ = ["read_profile", "read_section"]
-
 LARGEST_FLANK_DIFFERENCE = 0.05
 """Largest difference (root mean square) between the flanks of a scan, against its height."""
 RADIUS = Column("radius", ("radius", "r", "x"), "m", "um")

@@ -21,8 +21,6 @@ from winkler.materials.relaxation_data import CreepData, DynamicData, Relaxation
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 
-__all__ = ["read_creep", "read_dynamic", "read_relaxation"]
-
 T = TypeVar("T", RelaxationData, CreepData, DynamicData)
 
 TIME = Column("time", ("time", "t", "step time", "test time", "zeit", "temps", "时间", "時間"), "s", "s", "step time")

@@ -18,8 +18,6 @@ from winkler.profiles.rough.line_scan import LineScan
 from winkler.values.errors import InvalidInput
 from winkler.values.units import scale
 
-__all__ = ["is_scan", "read_scan"]
-
 PLACE_COLUMN = Column(
     "place", ("place", "position", "x", "lateral", "distance", "scan", "abstand", "distancia"), "m", "um"
 )

@@ -14,8 +14,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["parts_by_headers", "parts_of_tests"]
-
 LOW = 0.3
 """Greatest force at both ends of a test, in parts of its peak."""
 LEAST_PEAK = 0.01

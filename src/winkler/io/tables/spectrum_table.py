@@ -15,8 +15,6 @@ from winkler.profiles.rough.line_scan import spectrum_of_lines
 from winkler.profiles.rough.spectrum import PowerSpectrum
 from winkler.values.errors import InvalidInput
 
-__all__ = ["read_spectrum"]
-
 WAVE_NUMBER = Column(
     "wave number", ("wave_number", "wave number", "wavenumber", "wavevector", "wave vector", "q"), "1/m", "1/um"
 )

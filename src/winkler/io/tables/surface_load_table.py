@@ -17,8 +17,6 @@ from winkler.problems.pressed_shape.surface_load import SurfaceLoad
 from winkler.values.errors import InvalidInput
 from winkler.values.limits import MOST_NUMBERS
 
-__all__ = ["read_surface_load"]
-
 X, Y = Column("x", ("x",), "m", "mm"), Column("y", ("y",), "m", "mm")
 PRESSURE = Column("pressure", ("pressure", "p", "pn"), "Pa", "MPa")
 X_TRACTION = Column("traction along x", ("x_traction", "traction_x", "tx", "qx", "px"), "Pa", "MPa")

@@ -25,8 +25,6 @@ from winkler.materials.sweeps import DynamicSweeps, RelaxationSweeps
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 
-__all__ = ["read_dynamic_sweeps", "read_relaxation_sweeps"]
-
 RELAXED_MODULI = RELAXATION_HEADERS[:2]
 """Columns of a modulus; strain and stress are read of one test."""
 TEMPERATURE = Column("temperature", ("temperature", "temp", "temp.", "t_c", "temperatur", "温度"), "K", "degC")

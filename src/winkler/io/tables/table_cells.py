@@ -13,8 +13,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.limits import CELL_LETTERS
 from winkler.values.units import comma_hint, comma_readings, scale
 
-__all__ = ["cells_of", "is_number", "like_number", "named", "number_in", "unit_in"]
-
 ABSENT = frozenset({"", "nan", "na", "n/a", "-", "--", "none", "null", "inf", "-inf", "+inf", "infinity", "-infinity"})
 NAME_WITH_UNIT = re.compile(r"[^\s\[(]++(?:\s*+[\[(][^\])]{0,100}+[\])])?+")
 """A name with a unit in brackets behind it, or a word."""

@@ -16,8 +16,6 @@ from winkler.io.workbooks.workbook_cells import Cell, is_workbook, sheets_of
 from winkler.values.errors import InvalidInput
 from winkler.values.limits import HEADER_LINES, TEXT_BYTES
 
-__all__ = ["TablePart", "sheets_naming", "table_head", "table_lines", "table_sheets"]
-
 LEAST_ROWS, LEAST_NUMBERS = 3, 2
 """Of a sheet that is taken for a table."""
 

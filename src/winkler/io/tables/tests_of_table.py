@@ -22,8 +22,6 @@ from winkler.io.tables.table_cells import cells_of, is_number, like_number, name
 from winkler.io.tables.table_lines import TablePart, sheets_naming, table_head, table_lines
 from winkler.values.errors import InvalidInput
 
-__all__ = ["of_one_test", "parts_of_table"]
-
 R = TypeVar("R")
 
 TEMPERATURE = re.compile(r"[\[(]? ?(-?\d{1,4}(?:[.,]\d{1,4})?) ?(°C|degC|deg C|ºC|C|K)(?![^\W_]) ?[\])]?")

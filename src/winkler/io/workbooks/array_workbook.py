@@ -23,8 +23,6 @@ from winkler.io.workbooks.open_document import Cell, WorkbookSheet
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 
-__all__ = ["array_sheets", "is_array_workbook"]
-
 HDF5, MATLAB = b"\x89HDF\r\n\x1a\n", b"MATLAB 5.0 MAT-file"
 MATLAB_HDF5 = b"MATLAB 7.3 MAT-file"
 """How the files begin; that of MATLAB's own HDF5 has a block of 512 bytes before it."""

@@ -16,8 +16,6 @@ from winkler.io.archive_file import archive
 from winkler.values.errors import InvalidInput
 from winkler.values.limits import TEXT_BYTES
 
-__all__ = ["Cell", "WorkbookSheet", "is_open_document", "open_document_sheets"]
-
 Cell = str | float
 CONTENT, KIND = "content.xml", b"application/vnd.oasis.opendocument.spreadsheet"
 MARK = b"mimetype" + KIND

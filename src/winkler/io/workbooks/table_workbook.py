@@ -15,8 +15,6 @@ import zipfile
 from collections.abc import Mapping
 from typing import Any
 
-__all__ = ["WORKBOOK", "workbook_file"]
-
 WORKBOOK = "tables.xlsx"
 MOST_ROWS = 1_048_575
 """Of a sheet, below its heading: what is longer goes on in the next."""

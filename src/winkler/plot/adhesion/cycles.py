@@ -12,8 +12,9 @@ import numpy as np
 from winkler.loading.loads import Depth, Force, ShearForce, Shift
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.panel import Arrow, Line, Panel, PanelAxis, Polygon, from_zero, note, points, zero
-from winkler.plot.series import series, with_unit
+from winkler.plot.curves import Quantity, curves_panel
+from winkler.plot.panel import Arrow, Line, Panel, PanelAxis, Polygon, note, points, zero
+from winkler.plot.series import row_of, series, with_unit
 from winkler.problems.adhesion.cycle import AdhesiveCycle, AdhesiveCycleSolution
 from winkler.problems.adhesion.cycle_states import EdgeState
 from winkler.problems.adhesion.equilibrium import EquilibriumCurve
@@ -169,17 +170,10 @@ def sheared_panels(solution: AdhesiveShearSolution) -> tuple[Panel, Panel]:
     share = 1.0 - (1.0 - np.linspace(0.0, 1.0, SHEAR_STATES)) ** 2  # dense where the radius falls steeply
     most = Shift(limit.shift * share) if isinstance(problem.lateral, Shift) else ShearForce(limit.shear_force * share)
     whole = AdhesiveShear(problem.bed, problem.law, problem.normal, most).solve()
-    shift = series("shift", whole.shift)
     panels = []
-    for name, last in (("shear_force", limit.shear_force), ("radius", limit.radius)):
-        of = series(name, getattr(whole, name))
-        requested = np.abs(np.ravel(solution.shift)), np.abs(np.ravel(getattr(solution, name)))
-        marks = (
-            Line(shift.content, of.content),
-            points(*requested, style.BLUE, name="requested", clipped=False),
-            points(limit.shift, last, name="instability"),
-        )
-        panels.append(
-            Panel(marks, PanelAxis.of(shift, margin=MARGIN), PanelAxis.of(of, low=from_zero(of.content), margin=MARGIN))
-        )
-    return panels[0].plus(note("approximate", "upper left")), panels[1].plus(legend="lower left")
+    for name in ("shear_force", "radius"):
+        asked = np.abs(solution.shift), np.abs(getattr(solution, name))
+        of = Quantity(row_of(whole, name), points=asked, marked="requested")
+        end = points(limit.shift, getattr(limit, name), style.INK, name="instability")
+        panels.append(curves_panel(row_of(whole, "shift"), [of]).plus(end))
+    return panels[0].plus(note("approximate", "upper left")), panels[1]

@@ -13,9 +13,10 @@ from winkler.loading.loads import Force
 from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.conduction.fields import conduction_map, crossing_panel
+from winkler.plot.curves import Quantity, answered, curves_panel
 from winkler.plot.dispatch import without_extent
-from winkler.plot.panel import Area, Line, Panel, PanelAxis, Sheet, points
-from winkler.plot.series import Series, common_scale, middle_scale, series, with_unit
+from winkler.plot.panel import Area, Panel, PanelAxis, Sheet, titled
+from winkler.plot.series import Series, middle_scale, row_of, series, with_unit
 from winkler.problems.conduction.constriction import ConstrictionSolution
 from winkler.problems.conduction.joule_heating import JouleHeatingSolution
 from winkler.problems.conduction.thermal_constriction import ThermalConstrictionSolution
@@ -83,38 +84,18 @@ def _resistance_parts(curve: Steady) -> list[tuple[str, Array]]:
 
 def _resistance_panel(curve: Steady, item: Steady) -> Panel:
     """Return the resistance over the force, its parts, and the requested points."""
-    owner = type(curve)
-    along, whole = series("force", curve.force, owner), series("resistance", curve.resistance, owner)
-    marks = [Line(along.content, whole.content, style.INK, name="resistance")]
-    parts = _resistance_parts(curve)
-    for place, (label, part) in enumerate(parts if len(parts) > 1 else []):
-        marks.append(Line(along.content, part, style.CYCLE[place], dash=style.DASHES[1 + place], name=label))
-    force, requested = (np.ravel(np.asarray(one, dtype=float)) for one in (item.force, item.resistance))
-    touching = np.isfinite(requested)
-    if touching.sum() <= POINTS:
-        marks.append(points(force[touching], requested[touching], name="requested"))
-    low = (0.3 if len(parts) > 1 else 0.7) * float(np.min(whole.content))
-    upright = PanelAxis.of(
-        whole,
-        middle_scale(whole.word.unit, whole.content),
-        low=low,
-        high=1.6 * float(np.max(whole.content)),
-        log=True,
-    )
-    across = PanelAxis.of(along, middle_scale("N", along.content), log=True)
-    return Panel(tuple(marks), across, upright, legend="upper right", title="resistance over force")
+    whole, parts = answered(curve, item, "force", "resistance", "resistance"), _resistance_parts(curve)
+    rows = [(series("resistance", part, type(curve)), label) for label, part in (parts if len(parts) > 1 else [])]
+    return curves_panel(row_of(curve, "force"), [whole, *rows], log=True).plus(title="resistance over force")
 
 
 def _parts_panel(curve: Steady) -> Panel:
     """Return the parts of the resistance in per cent."""
-    owner = type(curve)
-    along = series("force", curve.force, owner)
-    across = PanelAxis.of(along, middle_scale("N", along.content), log=True)
-    parts = _resistance_parts(curve)
+    along, parts = row_of(curve, "force"), _resistance_parts(curve)
     if len(parts) == 1:
-        radius = series("radius", curve.radius, owner)
         title = "springs in contact conduct: $R\\propto1/a$"
-        return Panel((Line(along.content, radius.content),), across, PanelAxis.of(radius, log=True), title=title)
+        return curves_panel(along, [(row_of(curve, "radius"), "")], log=True).plus(title=title)
+    across = PanelAxis.of(along, middle_scale("N", along.content), log=True)
     rows = np.cumsum([np.zeros(along.content.shape), *(100.0 * part / curve.resistance for _, part in parts)], axis=0)
     areas = [
         Area(along.content, low, high, colour, 0.6, label)
@@ -174,36 +155,26 @@ def _voltages_panel(item: JouleHeatingSolution) -> Panel:
     along, hottest, contact = (
         _collected(solutions, name) for name in ("voltage", "max_temperature", "contact_temperature")
     )
-    marks = [Line(along.content, hottest.content, style.RED, name="hottest place")]
-    if np.max(hottest.content - contact.content) > 1e-9 * np.max(hottest.content):
-        marks.append(Line(along.content, contact.content, dash=style.DASHES[1], name="contact"))
     name = with_unit(float(item.current), "A")
-    marks.append(points(item.voltage, item.max_temperature, clipped=False, name=name))
-    upright = PanelAxis("temperature $T$", common_scale(hottest, contact))
-    return Panel(tuple(marks), PanelAxis.of(along), upright, legend="upper left", title="temperature over voltage")
+    rows = [Quantity(hottest, "hottest place", (item.voltage, item.max_temperature), name)]
+    if np.max(hottest.content - contact.content) > 1e-9 * np.max(hottest.content):
+        rows.append(Quantity(contact, "contact"))
+    return curves_panel(along, rows, label="temperature $T$").plus(title="temperature over voltage")
 
 
 def _current_panel(item: JouleHeatingSolution) -> Panel:
     """Return the current over the voltage."""
     solutions = _solved_at_voltages(item)
-    along, of = _collected(solutions, "voltage"), _collected(solutions, "current")
-    marks = Line(along.content, of.content), points(item.voltage, item.current)
-    return Panel(marks, PanelAxis.of(along), PanelAxis.of(of), title="current over voltage")
+    current = Quantity(_collected(solutions, "current"), points=(item.voltage, item.current))
+    return curves_panel(_collected(solutions, "voltage"), [current]).plus(title="current over voltage")
 
 
 def _heated_over_force(item: JouleHeatingSolution) -> Sheet:
-    """Return temperature and voltage over the force, for many loads."""
+    """Return temperature and resistance over the force, for many loads."""
     curve = _curve_over_force(item)
-    along = series("force", curve.force, JouleHeatingSolution)
-    across = PanelAxis.of(along, middle_scale("N", along.content), log=True)
-    panels = []
-    for name in ("max_temperature", "resistance"):
-        of = series(name, getattr(curve, name), JouleHeatingSolution)
-        marks = [Line(along.content, of.content, name="hot" if name == "resistance" else "")]
-        force, requested = (np.ravel(np.asarray(part, dtype=float)) for part in (item.force, getattr(item, name)))
-        if requested.size <= POINTS:
-            marks.append(points(force, requested))
-        upright = PanelAxis.of(of, middle_scale(of.word.unit, of.content), log=name == "resistance")
-        panels.append(Panel(tuple(marks), across, upright, title=f"{name.removeprefix('max_')} over force"))
-    cold = Line(along.content, np.asarray(curve.cold_resistance), style.MUTED, dash=style.DASHES[1], name="cold")
-    return Sheet((panels[0], panels[1].plus(cold, legend="upper right")), height=3.2)
+    along, cold = row_of(curve, "force"), series("resistance", curve.cold_resistance, type(item))
+    panels = (
+        curves_panel(along, [answered(curve, item, "force", "max_temperature")]),
+        curves_panel(along, [answered(curve, item, "force", "resistance", "hot"), (cold, "cold")], log=True),
+    )
+    return Sheet(titled(panels, "temperature over force", "resistance over force"), height=3.2)

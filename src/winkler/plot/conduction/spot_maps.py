@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.plot import style
+from winkler.plot.curves import curves_panel
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Bars, Panel, PanelAxis, Rule, Sheet, note, titled
-from winkler.plot.rough.roughness import map_panel, models_panel
+from winkler.plot.rough.roughness import map_panel
 from winkler.plot.series import row_of, series, with_unit
 from winkler.problems.surface_current.constriction import SurfaceConstrictionSolution
 
@@ -35,9 +36,9 @@ def surface_constriction_sheet(item: SurfaceConstrictionSolution) -> Sheet:
         force = row_of(item, "force")
         parts = [(row_of(item, name), label) for name, label in CURVES]
         drawn = [(of, label) for of, label in parts if np.all(of.content > 0.0)]
-        panels.append(models_panel(force, drawn, label="resistance") if drawn else Panel())
+        panels.append(curves_panel(force, drawn, label="resistance") if drawn else Panel())
         names.append("resistance and its parts")
-        panels.append(models_panel(force, [(row_of(item, "patch_count"), "")], label="spots of contact"))
+        panels.append(curves_panel(force, [(row_of(item, "patch_count"), "")], label="spots of contact"))
         names.append("spots of contact")
         panels.append(_rise_panel(item))
         names.append("greatest rise of temperature")
@@ -47,7 +48,7 @@ def surface_constriction_sheet(item: SurfaceConstrictionSolution) -> Sheet:
             if np.all(np.isfinite(np.asarray(getattr(item, f"{word}_current"))))
         ]
         if lines:
-            panels.append(models_panel(force, lines, label="current"))
+            panels.append(curves_panel(force, lines, label="current"))
             names.append("current at which the metal")
     else:
         panels.append(_parts_panel(item))
@@ -63,7 +64,7 @@ def _rise_panel(item: SurfaceConstrictionSolution) -> Panel:
     hottest = row_of(item, "rise")
     if not np.any(hottest.content > 0.0):
         return Panel((note("no current flows"),))
-    panel = models_panel(row_of(item, "force"), [(hottest, "")], label="rise of temperature")
+    panel = curves_panel(row_of(item, "force"), [(hottest, "")], label="rise of temperature")
     stated = item.problem
     for number, name in ((stated.softening_temperature, "softens"), (stated.melting_temperature, "melts")):
         above = number - stated.temperature

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -116,21 +116,25 @@ def _over_position(curve: ForceCurve, phases: list[_Phase], events: CurveEvents)
     """Return force over position, one colour for each kind of phase."""
     position = Series("position", Word("D", "m", "position"), curve.position)
     force = Series("force", Word("F", "N", "force"), curve.force)
-    marks: list[Any] = []
-    look: dict[str, Any] = {"width": 0.8, "marker": ".", "size": 2.5, "coarse": curve.count > MOST_DOTS}
-    named: set[str] = set()
-    for phase in sorted(phases, key=lambda phase: list(COLOURS).index(phase.kind)):
-        own = slice(max(phase.first - 1, 0), phase.last + 1)
-        name = "baseline" if "baseline" in phase.kind.value else phase.kind.value
-        shown = "" if name in named else name
-        named.add(name)
-        marks.append(Line(position.content[own], force.content[own], COLOURS[phase.kind], name=shown, **look))
+    marks: list[Any] = phase_lines(position.content, force.content, phases, COLOURS)
     marks += _event_marks(events, position.content, force.content, named=True)
     nowhere = np.full(1, np.nan)
     for event in (event for kind in NOTED for event in events.of(kind)):
         marks.append(Line(nowhere, nowhere, style.INK, width=0.0, name=_noted(event)))
     upright = PanelAxis.of(force, margin=0.06, headroom=0.0)
     return Panel(tuple(marks), PanelAxis.of(position, margin=0.02), upright, legend="upper left", marker_scale=2.0)
+
+
+def phase_lines(x: Array, force: Array, phases: Sequence[Any], colours: Mapping[Any, str]) -> list[Any]:
+    """Return a force in phases, one colour for each kind, each joined to the last point of the one before."""
+    look: dict[str, Any] = {"width": 0.8, "marker": ".", "size": 2.5, "coarse": force.size > MOST_DOTS}
+    lines, named = [], set[str]()
+    for phase in sorted(phases, key=lambda phase: list(colours).index(phase.kind)):
+        own = slice(max(phase.first - 1, 0), phase.last + 1)
+        name = "baseline" if "baseline" in phase.kind.value else phase.kind.value
+        lines.append(Line(x[own], force[own], colours[phase.kind], name="" if name in named else name, **look))
+        named.add(name)
+    return lines
 
 
 def _event_marks(events: CurveEvents, x: Array, force: Array, *, named: bool) -> list[Any]:

@@ -12,7 +12,7 @@ from winkler.fitting.outcome import CreepFit
 from winkler.fitting.several.joint import JointFit
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
-from winkler.plot.fitting.fits import measured_dots
+from winkler.plot.fitting.fits import measured_dots, origin_of
 from winkler.plot.marks import Area, Line, Rule
 from winkler.plot.panel import Panel, PanelAxis, Sheet
 from winkler.plot.series import Scale, Series, common_scale, middle_scale
@@ -61,7 +61,8 @@ def comparison_sheet(comparison: Comparison) -> Sheet:
     first = comparison.best
     along = _along(first)
     measured, residuals = _forces(first), [np.asarray(one.residuals) for one in comparison.fits]
-    upper: list[Any] = [*measured_dots(first, along.content, measured.content, first.curve.direction, _all(first))]
+    every = np.ones(first.curve.count, dtype=bool)
+    upper: list[Any] = [*measured_dots(first, along.content, measured.content, first.curve.direction, every)]
     panels = []
     height = max(float(np.quantile(np.abs(one), 0.999)) for one in residuals)
     below = Series("residual", Word("", measured.word.unit, "measured less fitted"), np.array([-height, height]))
@@ -70,7 +71,7 @@ def comparison_sheet(comparison: Comparison) -> Sheet:
         colour = style.CYCLE[(index + 1) % len(style.CYCLE)]
         order = np.argsort(_along(one).content, kind="stable")
         own, dash = _along(one).content[order], style.DASHES[index % len(style.DASHES)]
-        shift = _origin(one) - _origin(first)
+        shift = origin_of(one) - origin_of(first)
         upper.append(Line(own + shift, np.asarray(one.predicted)[order], colour, 1.4, dash, name=name))
         dots = Line(own + shift, residuals[index][order], colour, 0.0, marker="o", size=1.6)
         last = index == len(comparison.fits) - 1
@@ -133,20 +134,12 @@ def shared_sheet(joint: JointFit, index: int, names: tuple[str, ...], name: str,
     return Sheet((Panel(marks, across, upright, legend="best"),), width=5.4, height=3.0)
 
 
-def _origin(fit: AnyFit) -> float:
-    return fit.value("contact_point") if "contact_point" in fit.names else 0.0
-
-
 def _along(fit: AnyFit) -> Series:
     """Return the positions from the first touch of this fit."""
-    return Series("position from first touch", Word("D - D_0", "m", "position"), fit.curve.position - _origin(fit))
+    return Series("position from first touch", Word("D - D_0", "m", "position"), fit.curve.position - origin_of(fit))
 
 
 def _forces(fit: AnyFit) -> Series:
     if isinstance(fit, CreepFit):
         return Series("position", Word("D", "m", "position"), fit.curve.position)
     return Series("force", Word("F_N", "N", "force"), fit.curve.force)
-
-
-def _all(fit: AnyFit) -> Any:
-    return np.ones(fit.curve.count, dtype=bool)

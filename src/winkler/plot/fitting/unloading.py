@@ -6,13 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from winkler.fitting.curves.curve import ForceCurve
-from winkler.fitting.curves.segments import Segment, SegmentKind
+from winkler.fitting.curves.segments import SegmentKind
 from winkler.fitting.unloading.oliver_pharr import OliverPharrSolution
-from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
-from winkler.plot.fitting.curve_events import phases_over_time
+from winkler.plot.fitting.curve_events import phase_lines, phases_over_time
 from winkler.plot.panel import Band, Line, Panel, PanelAxis, Rule, Sheet, titled
 from winkler.plot.series import Series
 from winkler.values.vocabulary import Word
@@ -49,22 +47,8 @@ def unloading_sheet(item: OliverPharrSolution) -> Sheet:
         Line(np.array([item.depth]), np.array([item.force]), style.INK, **peak),
         Rule(item.contact_depth, upright=True, width=0.9, name="contact depth $h_c$"),
     )
-    panels = phases_over_time(curve, segments, COLOURS), _over_depth(depth, curve, segments).plus(*marks)
-    return Sheet(titled(panels, "segments", "the unloading and its stiffness"), width=4.6, height=3.6)
-
-
-def _over_depth(depth: Series, curve: ForceCurve, segments: tuple[Segment, ...]) -> Panel:
-    """Return force over depth, one colour for each kind of segment."""
     force = Series("force", Word("F", "N", "force"), curve.force)
-    lines = []
-    for kind, colour in COLOURS.items():
-        own = [_with_start(part, depth.content, force.content) for part in segments if part.kind is kind]
-        look: dict[str, Any] = {"width": 0.8, "marker": ".", "size": 2.5, "coarse": curve.count > 4000}
-        lines += [Line(*points, colour, name="" if place else kind.value, **look) for place, points in enumerate(own)]
-    return Panel(tuple(lines), PanelAxis.of(depth, margin=0.02), PanelAxis.of(force, margin=0.04), legend="upper left")
-
-
-def _with_start(part: Segment, x: Array, y: Array) -> tuple[Array, Array]:
-    """Return a segment joined to the last point of the one before."""
-    own = slice(max(part.first - 1, 0), part.last + 1)
-    return x[own], y[own]
+    lines = phase_lines(depth.content, force.content, [part for part in segments if part.kind in COLOURS], COLOURS)
+    axes = PanelAxis.of(depth, margin=0.02), PanelAxis.of(force, margin=0.04)
+    panels = phases_over_time(curve, segments, COLOURS), Panel((*lines, *marks), *axes, legend="upper left")
+    return Sheet(titled(panels, "segments", "the unloading and its stiffness"), width=4.6, height=3.6)

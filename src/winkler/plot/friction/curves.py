@@ -12,8 +12,9 @@ from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.sheared_fields import ShearedFields
 from winkler.numerics.types import Array
 from winkler.plot import style
-from winkler.plot.panel import Area, Band, Line, Panel, PanelAxis, Rule, among, note, points, zero
-from winkler.plot.series import Series, common_scale, places, scale_of, series, with_unit
+from winkler.plot.curves import Quantity
+from winkler.plot.panel import Area, Band, Line, Panel, PanelAxis, Rule, note, points, zero
+from winkler.plot.series import Series, places, scale_of, series, with_unit
 
 MOST_MARKED_POINTS = 40
 """Points of a path are marked individually up to this number."""
@@ -67,52 +68,10 @@ def loss_text(lost: float, path: Array, load: Array) -> str:
     return f"lost along the path: {with_unit(lost, 'J')}" if lost > LOSS_TOLERANCE * greatest else "nothing lost"
 
 
-def lines_panel(
-    along: Series, lines: list[tuple[Series, str]], label: str, low: float | None = None, *, log: bool = False
-) -> Panel:
-    """Return several quantities of one unit over one, distinguished by colour and dashes.
-
-    Parameters
-    ----------
-    along : Series
-    lines : list of (Series, str)
-        With their names for the legend; bounds, as `bounds` returns them, are drawn alike.
-    label : str
-        Common label, without a unit.
-    low : float, optional
-        Where the upright axis begins [SI].
-    log : bool, optional
-        Whether the upright axis is logarithmic.
-    """
-    marks: list[Any] = [] if log else [zero()]
-    bounded = any(name in BOUNDS for _, name in lines)
-    for place, (line, name) in enumerate(lines):
-        content = np.where(np.isfinite(line.content), line.content, np.nan)
-        look: dict[str, Any] = {}
-        if bounded and name in (*BOUNDS, "_"):
-            look = {"colour": style.MUTED, "dash": style.DASHES[1], "width": 1.1}
-        marks.append(among(place, along.content, content, name if len(lines) > 1 else "", most=0, **look))
-    names = [name for _, name in lines if not name.startswith("_")]
-    columns = 3 if bounded else len(names) if sum(map(len, names)) <= MOST_LEGEND_LETTERS else 2
-    upright = PanelAxis(
-        label,
-        common_scale(*(line for line, _ in lines)),
-        low=low,
-        margin=0.08,
-        headroom=0.2 if len(lines) > 1 else 0.0,
-        log=log,
-    )
-    legend: dict[str, Any] = {"legend": "upper center" if len(lines) > 1 else "", "columns": columns, "spaced": True}
-    return Panel(tuple(marks), PanelAxis.of(along, margin=0.0), upright, **legend)
-
-
-BOUNDS = (r"$\pm\mu F_N$", "bound of friction")
-"""Names of bounds in a legend."""
-
-
-def bounds(field: str, limit: Array, name: str = BOUNDS[0]) -> list[tuple[Series, str]]:
-    """Return a bound in both directions, as `lines_panel` draws it."""
-    return [(series(field, sign * limit), name if sign > 0.0 else "_") for sign in (1.0, -1.0)]
+def bounds(field: str, limit: Array, name: str = r"$\pm\mu F_N$") -> list[Quantity]:
+    """Return a bound in both directions, dashed."""
+    look = {"colour": style.MUTED, "dash": style.DASHES[1], "width": 1.1, "marker": ""}
+    return [Quantity(series(field, sign * limit), name if sign > 0.0 else "", look=look) for sign in (1.0, -1.0)]
 
 
 def energies_panel(solution: Any, names: dict[str, str], along: str = "time", height_factor: float = 1.0) -> Panel:

@@ -4,20 +4,20 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from typing import Any
 
 import numpy as np
 
 from winkler.loading.loads import ShearForce, Shift
 from winkler.numerics.types import Array
 from winkler.plot import style
+from winkler.plot.curves import Quantity, answered, curves_panel
 from winkler.plot.dispatch import without_extent
-from winkler.plot.friction.curves import lines_panel
-from winkler.plot.panel import Line, Panel, PanelAxis, Polygon, Rule, Sheet, note, points, titled, zero
-from winkler.plot.series import Series, middle_scale, series, with_unit
+from winkler.plot.panel import Line, Panel, PanelAxis, Polygon, Rule, Sheet, note, titled, zero
+from winkler.plot.series import Series, row_of, series, with_unit
 from winkler.problems.friction.bimodal_damping import BimodalDampingSolution
 from winkler.problems.friction.damping import FrictionDamping, FrictionDampingSolution
 from winkler.problems.friction.relaxation_damping import RelaxationDamperSolution
+from winkler.values.vocabulary import Word
 
 POINTS = 73
 LOOP_POINTS = 101
@@ -46,10 +46,11 @@ def damping_sheet(item: FrictionDampingSolution) -> Sheet:
     low = min(LEAST_SHIFT_SHARE * reach, 0.5 * float(np.min(requested, initial=reach)))
     high = max(GREATEST_SHIFT_SHARE * reach, 1.5 * float(np.max(requested, initial=reach)))
     curve = dataclasses.replace(problem, amplitude=Shift(np.geomspace(low, high, POINTS))).solve()
+    all_slides = Rule(reach, upright=True, width=0.9, dash=style.DOTTED, name="all slides")
     panels = titled(
         (
-            _over(curve, item, "loss_per_cycle", reach, log=True),
-            _over(curve, item, "loss_factor", reach, low=0.0, high=1.2 * 4.0 / math.pi),
+            _over(curve, item, "loss_per_cycle").plus(all_slides),
+            _over(curve, item, "loss_factor").plus(all_slides),
             _cycle_panel(problem, float(np.max(requested, initial=0.0)) or reach),
         ),
         "loss per cycle",
@@ -66,9 +67,8 @@ def _relaxing_sheet(item: FrictionDampingSolution) -> Sheet:
     shifts = np.geomspace(0.2 * float(np.min(asked)), 5.0 * float(np.max(asked)), RELAXING_POINTS)
     problem = dataclasses.replace(item.problem, count=min(item.problem.count, RELAXING_COUNT), amplitude=Shift(shifts))
     curve, cycle = problem.solve(), problem.cycle(float(np.max(asked)))
-    along = series("shift", shifts)
-    names = {"loss_per_cycle": "all", "friction_loss": "to friction", "bulk_loss": "in the bodies"}
-    losses = [series(name, np.asarray(getattr(curve, name))) for name in names]
+    parts = [(row_of(curve, "friction_loss"), "to friction"), (row_of(curve, "bulk_loss"), "in the bodies")]
+    others = [Quantity(of, name) for of, name in parts if np.any(of.content > 0.0)]
     shift, force = series("shift", cycle.shift), series("shear_force", cycle.shear_force)
     loop = Panel(
         (
@@ -80,40 +80,16 @@ def _relaxing_sheet(item: FrictionDampingSolution) -> Sheet:
         PanelAxis.of(shift, margin=0.06),
         PanelAxis.of(force, margin=0.12),
     )
-    across = PanelAxis("amplitude of the shift $U$", middle_scale("m", along.content), log=True)
-    marks = [
-        Line(along.content, of.content, style.CYCLE[at], dash=style.DASHES[at], name=label)
-        for at, (of, label) in enumerate(zip(losses, names.values(), strict=True))
-        if np.any(of.content > 0.0)
-    ]
-    marks.append(points(item.shift, item.loss_per_cycle, name="requested"))
-    least = 0.1 * float(np.min(losses[0].content))
-    upright = PanelAxis.of(losses[0], middle_scale("J", losses[0].content), log=True, low=least)
-    factor = series("loss_factor", np.asarray(curve.loss_factor))
-    damped = Panel(
-        (Line(along.content, factor.content), points(item.shift, item.loss_factor)),
-        across,
-        PanelAxis.of(factor, middle_scale(factor.word.unit, factor.content), low=0.0),
-    )
-    lost = Panel(tuple(marks), across, upright, legend="upper left")
+    lost, damped = _over(curve, item, "loss_per_cycle", *others), _over(curve, item, "loss_factor")
     panels = titled((lost, damped, loop), "loss per cycle", "loss factor", "loop of the greatest amplitude")
     return Sheet(panels, width=3.9, height=3.2)
 
 
-def _over(curve: FrictionDampingSolution, item: FrictionDampingSolution, name: str, reach: float, **ends: Any) -> Panel:
-    """Return one quantity over the amplitude of the shift, with the requested points."""
-    along = series("shift", np.asarray(curve.shift))
-    of = series(name, np.asarray(getattr(curve, name)))
-    shift, requested = (np.ravel(np.asarray(part, dtype=float)) for part in (item.shift, getattr(item, name)))
-    moving = shift > 0.0
-    marks = (
-        Line(along.content, of.content),
-        points(shift[moving], requested[moving], name="requested"),
-        Rule(reach, upright=True, width=0.9, dash=style.DOTTED, name="all slides"),
-    )
-    across = PanelAxis("amplitude of the shift $U$", middle_scale("m", along.content), log=True)
-    upright = PanelAxis.of(of, middle_scale(of.word.unit, of.content), **ends)
-    return Panel(marks, across, upright, legend="upper left")
+def _over(curve: FrictionDampingSolution, item: FrictionDampingSolution, of: str, *others: Quantity) -> Panel:
+    """Return one quantity over the amplitude of the shift, with the requested points, and others of its unit."""
+    shift = dataclasses.replace(row_of(curve, "shift"), name="amplitude of the shift", word=Word("U", "m", "amplitude"))
+    rows = [answered(curve, item, "shift", of, "all" if others else ""), *others]
+    return curves_panel(shift, rows, log=of != "loss_factor")
 
 
 def _cycle_panel(problem: FrictionDamping, amplitude: float) -> Panel:
@@ -149,15 +125,8 @@ def bimodal_sheet(item: BimodalDampingSolution) -> Sheet:
     by_amplitude = bool(np.ptp(amplitudes_along) > 0.0)
     curve = item if amplitudes_along.size > 1 else _over_phase(item)
     along = _varied(curve, "shift_amplitude" if by_amplitude else "phase")
-    loss = np.ravel(np.asarray(curve.loss_per_cycle))
-    order = np.argsort(along.content, kind="stable")
-    of = series("loss_per_cycle", loss[order])
-    marks = [
-        Line(along.content[order], of.content, marker="o" if amplitudes_along.size > 1 and loss.size <= 40 else "")
-    ]
-    if amplitudes_along.size == 1:
-        marks.append(points(phase_angle.ravel(), np.ravel(item.loss_per_cycle)))
-    right = Panel(tuple(marks), PanelAxis.of(along, margin=0.04), PanelAxis.of(of, low=0.0))
+    asked = (phase_angle, item.loss_per_cycle) if amplitudes_along.size == 1 else ((), ())
+    right = curves_panel(along, [Quantity(row_of(curve, "loss_per_cycle"), points=asked)])
     panels = titled(
         (left, right),
         "the closed cycle" + (" of the greatest loss" if amplitudes_along.size > 1 else ""),
@@ -190,9 +159,6 @@ def relaxation_sheet(item: RelaxationDamperSolution) -> Sheet:
         float(dataclasses.replace(problem, depth_amplitude=float(amplitude)).solve().damping)
         for amplitude in amplitudes
     ]
-    along = series("depth_amplitude", amplitudes)
-    of = series("damping", np.array(damping))
-    panel = lines_panel(along, [(of, "damping")], f"damping ${of.word.symbol}$", low=0.0).plus(
-        points(greatest, item.damping)
-    )
+    of = Quantity(series("damping", np.array(damping)), points=(greatest, item.damping))
+    panel = curves_panel(series("depth_amplitude", amplitudes), [of])
     return Sheet((panel.plus(title="viscous damper that the contact amounts to"),), width=4.8, height=3.2)

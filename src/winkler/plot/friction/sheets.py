@@ -12,17 +12,15 @@ from winkler.foundation.bed import PressedSprings
 from winkler.foundation.sheared import ShearedSprings
 from winkler.foundation.sheared_fields import BodyFields, ShearedFields
 from winkler.laws.friction import Coulomb, StaticKinetic
-from winkler.loading.loads import ShearForce
 from winkler.plot import style
+from winkler.plot.curves import Quantity, curves_panel
 from winkler.plot.dispatch import sheet_of, without_extent
 from winkler.plot.extent import around, checked_extent
 from winkler.plot.friction.curves import (
-    BOUNDS,
     RestorableSprings,
     around_contact,
     bounds,
     energies_panel,
-    lines_panel,
     loop_panel,
     loss_text,
     path_ends,
@@ -144,8 +142,8 @@ def sheared_sheet(item: ShearedFields) -> Sheet:
                 quantities.append((one, one.label().partition(" [")[0] + mark))
         return quantities
 
-    left = lines_panel(r, lines("traction", "pressure"), "on the surface")
-    right = lines_panel(r, lines("tangential_displacement", "slip"), "along the surface")
+    left = curves_panel(r, lines("traction", "pressure"), label="on the surface")
+    right = curves_panel(r, lines("tangential_displacement", "slip"), label="along the surface")
     return Sheet(titled((left, right), "traction", "displacement and slip"))
 
 
@@ -159,11 +157,11 @@ def torsion_sheet(item: TorsionSolution) -> Sheet:
     """Return the loop, torque and energies along a path of twists, and the traction at its last contact."""
     touching = np.flatnonzero(item.radius > 0.0)
     time, angle, torque = (series(name, getattr(item, name), TorsionSolution) for name in ("time", "angle", "torque"))
-    lines = [(torque, "torque"), *bounds("torque", item.torque_limit, BOUNDS[1])]
+    lines = [Quantity(torque, "torque"), *bounds("torque", item.torque_limit, "bound of friction")]
     panels = titled(
         (
             loop_panel(angle, torque, float(item.dissipation[-1])),
-            lines_panel(time, lines, "torque"),
+            curves_panel(time, lines, label="torque"),
             energies_panel(item, ENERGY_NAMES),
             ring_panel(item.states[int(touching[-1])], r"$\tau_\theta$") if touching.size else NO_CONTACT,
         ),
@@ -255,7 +253,8 @@ def _forces_panel(item: TangentialSolution) -> Panel:
     time = series("time", item.time)
     mu = _coefficient(item.problem.law)
     components = [item.shear_force] if item.shear_force.ndim == 1 else list(item.shear_force.T)
-    lines = [(series("shear_force", one), name) for one, name in zip(components, ("$F_x$", "$F_y$"), strict=False)]
+    names = "$F_x$", "$F_y$"
+    lines = [Quantity(series("shear_force", one), name) for one, name in zip(components, names, strict=False)]
     if math.isfinite(mu):
         lines += bounds("shear_force", mu * np.asarray(item.force))
-    return lines_panel(time, lines, "shear force" if isinstance(item.problem.path.lateral, ShearForce) else "force")
+    return curves_panel(time, lines, label="shear force")

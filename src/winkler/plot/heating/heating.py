@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 
 from winkler.plot import style
+from winkler.plot.curves import Quantity, answered, curves_panel
 from winkler.plot.dispatch import without_extent
-from winkler.plot.heating.over_loads import curves_sheet, refuse_cold
+from winkler.plot.heating.over_loads import both_panel, curves_sheet, refuse_cold
 from winkler.plot.panel import (
     Area,
     Arrow,
-    Band,
     Line,
     Map,
     Panel,
@@ -23,16 +23,16 @@ from winkler.plot.panel import (
     Sheet,
     note,
     plane,
-    points,
     titled,
 )
-from winkler.plot.series import common_scale, middle_scale, series, with_unit
+from winkler.plot.series import Series, row_of, series, with_unit
 from winkler.problems.heating.fretting import FrettingHeatSolution
 from winkler.problems.heating.heat_source import half_lengths
 from winkler.problems.heating.heated_body import HeatedBody
 from winkler.problems.heating.steady import FrictionHeatingSolution
 from winkler.problems.heating.transient import TransientHeatingSolution
 from winkler.problems.normal.indentation import IndentationSolution
+from winkler.values.vocabulary import Word
 
 EXTENT, WAKE = 1.7, 1.5
 """Half the side of the map over the semi-axes, and how much longer it is where the surface leaves the contact."""
@@ -46,9 +46,9 @@ SMALL = 0.1
 """Share of the temperature of bodies at rest below which the curve has a logarithmic axis."""
 LEVELS = 12
 ESTIMATES = (
-    ("stationary_temperature", "at rest", style.GREEN, style.DASHES[1]),
-    ("fast_temperature", "fast", style.ORANGE, style.DASHES[3]),
-    ("tian_kennedy_temperature", "Tian, Kennedy", style.PURPLE, style.DASHES[2]),
+    ("stationary_temperature", "at rest"),
+    ("fast_temperature", "fast"),
+    ("tian_kennedy_temperature", "Tian, Kennedy"),
 )
 MOMENTS_DRAWN = 6
 RADII_DRAWN = 2.5
@@ -122,20 +122,12 @@ def _along_panel(item: FrictionHeatingSolution, faster: HeatedBody) -> Panel:
     """Return the temperature of both surfaces along the motion of the body with the higher Peclet number."""
     length, forward = faster.half_length, _forward(faster)
     s = np.linspace(-LENGTHS, LENGTHS, POINTS_ALONG) * length
-    marks: list[Any] = []
-    for body, name, colour, dash in (
-        (item.first, "first", style.RED, style.DASHES[0]),
-        (item.second, "second", style.BLUE, style.DASHES[1]),
-    ):
+    rows = []
+    for body, name in ((item.first, "first"), (item.second, "second")):
         moves = f"moves, Pe = {with_unit(body.peclet, '', 3)}" if body.speed else "rests"
-        rise = body.temperature(s * math.cos(forward), s * math.sin(forward))
-        marks.append(Line(s, rise, colour, dash=dash, name=f"{name}: {moves}"))
-    rises = [series("temperature", line.y) for line in marks]
-    high = 1.42 * max(float(np.max(rise.content)) for rise in rises)
-    marks.append(Band(-length, length, style.MUTED, 0.12))
-    across = PanelAxis("place along the motion", series("x", s).scale)
-    upright = PanelAxis("rise of temperature $T$", common_scale(*rises), low=0.0, high=high)
-    return Panel(tuple(marks), across, upright, legend="upper left")
+        rows.append((body.temperature(s * math.cos(forward), s * math.sin(forward)), f"{name}: {moves}"))
+    along = Series("place along the motion", Word("", "m", "place along the motion"), s)
+    return both_panel(rows, along, length)
 
 
 def _speeds_panel(item: FrictionHeatingSolution) -> Panel:
@@ -145,20 +137,18 @@ def _speeds_panel(item: FrictionHeatingSolution) -> Panel:
     curve = dataclasses.replace(problem, first_speed=factors * speeds[0], second_speed=factors * speeds[1]).solve()
     sliding = float(item.heat_rate) / (problem.law.coefficient * float(item.contact.force))
     speed, rest = factors * sliding, np.asarray(curve.stationary_temperature)
-    marks = [Line(speed, curve.flash_temperature / rest, name="flash temperature")]
-    for name, label, colour, dash in ESTIMATES[: None if isinstance(item.contact, IndentationSolution) else -1]:
-        estimate = np.asarray(getattr(curve, name)) / rest
-        if np.all(np.isfinite(estimate)):
-            marks.append(Line(speed, estimate, colour, width=1.2, dash=dash, name=label))
-    requested = float(item.flash_temperature) / float(item.stationary_temperature)
-    marks.append(points(sliding, requested, name="requested", order=5.0))
-    across = PanelAxis("speed of sliding $v$", middle_scale("m/s", speed), log=True)
-    least = float(np.min(curve.flash_temperature / rest))
-    ends: dict[str, Any] = (
-        {"low": 0.0, "high": 1.7} if least > SMALL else {"low": 0.5 * least, "high": 20.0, "log": True}
-    )
-    upright = PanelAxis("over that of bodies at rest [-]", **ends)
-    return Panel(tuple(marks), across, upright, legend="upper right", columns=2)
+    ratio = Series("ratio", Word("", "", "over that of bodies at rest"), curve.flash_temperature / rest)
+    asked = (sliding, float(item.flash_temperature) / float(item.stationary_temperature))
+    rows = [Quantity(ratio, "flash temperature", asked, "requested")]
+    for name, label in ESTIMATES[: None if isinstance(item.contact, IndentationSolution) else -1]:
+        if np.all(np.isfinite(estimate := getattr(curve, name) / rest)):
+            rows.append(Quantity(dataclasses.replace(ratio, content=estimate), label))
+    least = float(np.min(ratio.content))
+    along = Series("speed of sliding", Word("v", "m/s", "speed of sliding"), speed)
+    panel = curves_panel(along, rows, label="over that of bodies at rest [-]", log=least <= SMALL)
+    low, high = (0.0, 1.7) if least > SMALL else (0.5 * least, 20.0)
+    upright = dataclasses.replace(panel.upright, low=low, high=high)
+    return panel.plus(upright=upright, legend="upper right", columns=2)
 
 
 @without_extent(TransientHeatingSolution)
@@ -169,18 +159,12 @@ def transient_heating_sheet(item: TransientHeatingSolution) -> Sheet:
     if high <= 10.0 * low:
         low, high = low / 30.0, high * 30.0
     curve = dataclasses.replace(item.problem, time=np.geomspace(low, high, 61)).solve()
-    time = series("time", curve.time)
-    of = series("flash_temperature", curve.flash_temperature)
     mean = np.maximum(curve.first_mean_temperature, curve.second_mean_temperature)
     final = item.stationary_temperature
-    marks = (
-        Line(time.content, of.content, name="flash temperature"),
-        Line(time.content, mean, style.ORANGE, dash=style.DASHES[1], name="mean"),
-        Rule(final, colour=style.GREEN, width=1.2, dash=style.DASHES[2], name="in the end"),
-        points(item.time, item.flash_temperature, size=3.5, name="requested"),
-    )
-    across = PanelAxis.of(time, middle_scale("s", time.content), log=True)
-    left = Panel(marks, across, PanelAxis.of(of, low=0.0, high=1.15 * final), legend="lower right")
+    flash = answered(curve, item, "time", "flash_temperature", "flash temperature")
+    left = curves_panel(row_of(curve, "time"), [flash, (series("temperature", mean), "mean")], log=False)
+    end = Rule(final, colour=style.GREEN, width=1.2, dash=style.DASHES[2], name="in the end")
+    left = left.plus(end, upright=dataclasses.replace(left.upright, low=0.0, high=1.15 * final))
     a = float(half_lengths(item.contact, 0.0))
     r = np.linspace(0.0, RADII_DRAWN, 61) * a
     moments = dataclasses.replace(item.problem, time=np.geomspace(low, high, MOMENTS_DRAWN)).solve()

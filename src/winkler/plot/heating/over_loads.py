@@ -3,17 +3,24 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
-from winkler.numerics.types import Quantity
+from winkler.numerics.types import Array, Quantity
 from winkler.plot import style
-from winkler.plot.panel import Panel, PanelAxis, Sheet, among, titled
-from winkler.plot.series import middle_scale, scale_of, series
+from winkler.plot.curves import curves_panel
+from winkler.plot.panel import Band, Panel, Sheet, titled
+from winkler.plot.series import Series, series
 from winkler.values.errors import OutsideValidity
 
-COLUMNS = ("first_max_temperature", "second_max_temperature", "first_share")
+
+def both_panel(rows: Sequence[tuple[Array, str]], along: Series, half: float) -> Panel:
+    """Return rises of temperature [K] of the first and the second body along the motion, the contact shaded."""
+    lines = [(series("temperature", rise), name) for rise, name in rows]
+    panel = curves_panel(along, lines, label="rise of temperature $T$")
+    return panel.plus(Band(-half, half, style.MUTED, 0.12))
 
 
 def refuse_cold(temperature: Quantity) -> None:
@@ -41,31 +48,17 @@ def curves_sheet(item: Any, estimate: Quantity, estimated: str) -> Sheet:
     is_heated = heat > 0.0
     along = series(item.per_load, heat, type(item))
     if np.ptp(pe) > 0.0:
-        along = series("peclet", np.ravel(pe))
+        along = dataclasses.replace(series("peclet", np.ravel(pe)), name="Peclet number")
     heated = dataclasses.replace(along, content=along.content[is_heated])
-    order = np.argsort(heated.content, kind="stable")
-    logarithmic = bool(np.min(heated.content) > 0.0 and np.max(heated.content) > 20.0 * np.min(heated.content))
-    label = PanelAxis.of(heated).label.replace("peclet", "Peclet number")
-    across = PanelAxis(label, middle_scale(heated.word.unit, heated.content), margin=0.03, log=logarithmic)
-    columns = {name: np.ravel(np.asarray(getattr(item, name))) for name in COLUMNS}
-    columns["fast_temperature"] = np.ravel(np.broadcast_to(estimate, pe.shape))
-    panels = []
-    for names in (("first_max_temperature", "second_max_temperature", "fast_temperature"), ("first_share",)):
-        many = [series(name, columns[name][is_heated], type(item)) for name in names]
-        finite = [one for one in many if np.all(np.isfinite(one.content))]
-        scale = scale_of(many[0].word.unit, *(one.content for one in finite))
-        looks = zip((style.RED, style.BLUE, style.GREEN), ("first", "second", estimated), strict=False)
-        lines = [
-            among(place, heated.content[order], one.content[order], name, colour=colour, size=3.0)
-            for place, (one, (colour, name)) in enumerate(zip(many, looks, strict=False))
-            if np.all(np.isfinite(one.content))
-        ]
-        share = names == ("first_share",)
-        upright = PanelAxis.of(many[0], scale, low=0.0, high=1.0)
-        if not share:
-            upright = PanelAxis(
-                "greatest rise of temperature", scale, low=None if logarithmic else 0.0, log=logarithmic
-            )
-        panels.append(Panel(tuple(lines), across, upright, legend="" if share else "upper left"))
+    temperatures = {
+        "first": item.first_max_temperature, "second": item.second_max_temperature, estimated: estimate,
+    }  # fmt: skip
+    rows = [
+        (series("temperature", np.ravel(np.broadcast_to(each, pe.shape))[is_heated]), name)
+        for name, each in temperatures.items()
+    ]
+    rows = [(of, name) for of, name in rows if np.all(np.isfinite(of.content))]
+    share = series("first_share", np.ravel(item.first_share)[is_heated], type(item))
+    panels = curves_panel(heated, rows, label="greatest rise of temperature"), curves_panel(heated, [(share, "")])
     titles = ("temperature of the bodies", "part of the heat for the first body")
     return Sheet(titled(panels, *titles), width=4.6, height=3.3)

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any
 
 import numpy as np
 
-from winkler.plot import style
+from winkler.plot.curves import Quantity, curves_panel
 from winkler.plot.dispatch import without_extent
-from winkler.plot.heating.over_loads import curves_sheet, refuse_cold
-from winkler.plot.panel import Band, Line, Panel, PanelAxis, Sheet, points, titled
-from winkler.plot.series import common_scale, middle_scale, series, with_unit
+from winkler.plot.heating.over_loads import both_panel, curves_sheet, refuse_cold
+from winkler.plot.panel import Panel, Sheet, titled
+from winkler.plot.series import Series, row_of, with_unit
 from winkler.problems.heating.band_heating import BandHeatingSolution
 from winkler.problems.heating.line_heating import LineFrictionHeatingSolution
+from winkler.values.vocabulary import Word
 
 HALF_WIDTHS = 4.0
 PLACES = 161
@@ -42,20 +42,12 @@ def strip_heating_sheet(item: StripSolution) -> Sheet:
 def _across_panel(item: StripSolution) -> Panel:
     a = float(item.half_width)
     x = np.linspace(-HALF_WIDTHS, HALF_WIDTHS, PLACES) * a
-    marks: list[Any] = []
-    for body, name, colour, dash in (
-        (item.first, "first", style.RED, style.DASHES[0]),
-        (item.second, "second", style.BLUE, style.DASHES[1]),
-    ):
-        if body.heat_per_length > 0.0:
-            label = f"{name}: Pe = {with_unit(body.peclet, '', 3)}"
-            marks.append(Line(x, body.temperature(x), colour, dash=dash, name=label))
-    rises = [series("temperature", line.y) for line in marks]
-    marks.append(Band(-a, a, style.MUTED, 0.12))
-    high = 1.42 * max(float(np.max(rise.content)) for rise in rises)
-    across = PanelAxis("$x$ along the motion", series("x", x).scale)
-    upright = PanelAxis("rise of temperature $T$", common_scale(*rises), low=0.0, high=high)
-    return Panel(tuple(marks), across, upright, legend="upper left")
+    rows = [
+        (body.temperature(x), f"{name}: Pe = {with_unit(body.peclet, '', 3)}")
+        for body, name in ((item.first, "first"), (item.second, "second"))
+        if body.heat_per_length > 0.0
+    ]
+    return both_panel(rows, Series("place along the motion", Word("x", "m", "place"), x), a)
 
 
 def _speeds_panel(item: StripSolution) -> Panel:
@@ -64,14 +56,10 @@ def _speeds_panel(item: StripSolution) -> Panel:
     pace = abs(rates[0] - rates[1]) if rubs else max(map(abs, rates))
     factors = np.geomspace(10.0**-DECADES_BEYOND, 10.0**DECADES_BEYOND, SPEEDS)
     curve = dataclasses.replace(problem, first_speed=factors * rates[0], second_speed=factors * rates[1]).solve()
-    speed, flash = factors * pace, series("flash_temperature", curve.flash_temperature)
-    marks: list[Any] = [Line(speed, flash.content, name="flash temperature")]
-    fast = np.asarray(curve.fast_temperature)
-    if np.all(np.isfinite(fast)):
-        marks.append(Line(speed, fast, style.ORANGE, width=1.2, dash=style.DASHES[3], name="fast"))
-    marks.append(points(pace, float(item.flash_temperature), name="requested", order=5.0))
-    label = "speed of sliding $v$" if rubs else "speed of the faster surface $V$"
-    across = PanelAxis(label, middle_scale("m/s", speed), log=True)
-    scale = middle_scale("K", flash.content)
-    legend = "upper left" if rubs else "upper right"  # friction makes more heat at speed, and the curve rises
-    return Panel(tuple(marks), across, PanelAxis("flash temperature", scale, log=True), legend=legend)
+    name, symbol = ("speed of sliding", "v") if rubs else ("speed of the faster surface", "V")
+    asked = (pace, item.flash_temperature)
+    rows = [Quantity(row_of(curve, "flash_temperature"), "flash temperature", asked, "requested")]
+    fast = row_of(curve, "fast_temperature")
+    if np.all(np.isfinite(fast.content)):
+        rows.append(Quantity(fast, "fast"))
+    return curves_panel(Series(name, Word(symbol, "m/s", name), factors * pace), rows, log=True)

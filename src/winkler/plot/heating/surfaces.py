@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-import dataclasses
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot import style
+from winkler.plot.curves import curves_panel
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Arrow, Panel, PanelAxis, Rule, Sheet, Strokes, among, points, titled
-from winkler.plot.rough.roughness import framed, image_of, models_panel
+from winkler.plot.rough.roughness import framed, image_of
 from winkler.plot.series import Series, common_scale, row_of, scale_of, series, with_unit
 from winkler.problems.surface_heating.state import SurfaceHeatState
 from winkler.problems.surface_heating.steady import SurfaceFrictionHeatingSolution
-from winkler.profiles.rough.topography import Topography
 
 RIM = 0.4
 """Frame around the contact, over its size."""
@@ -60,7 +59,7 @@ def surface_friction_heating_sheet(item: SurfaceFrictionHeatingSolution) -> Shee
         curves = [
             (row_of(item, name), label) for name, label in zip(names, ("greatest of the contact", "mean"), strict=True)
         ]
-        curve = models_panel(row_of(item, "heat_rate"), curves, label="temperature")
+        curve = curves_panel(row_of(item, "heat_rate"), curves, label="temperature")
         panels = (*panels, curve.plus(title="all creepages"))
     state = item.last
     share = f"first body conducts {100.0 * state.first_share:.3g} %"
@@ -101,11 +100,8 @@ def _frame(touching: Array, middles: tuple[Array, Array]) -> Frame:
 
 
 def _map(frame: Frame, of: Series) -> Panel:
-    x, y = frame.sides
-    box = Topography(np.zeros(np.maximum(of.content.shape, 2)), np.array([np.ptp(x), np.ptp(y)]))
     low = 0.0 if np.nanmin(of.content) >= 0.0 else float(np.nanmin(of.content))
-    image = dataclasses.replace(image_of(box, of, style.HEATS, lowest=low), x=x, y=y)
-    return framed(image, scale_of("m", np.concatenate([x, y])))
+    return framed(image_of(of, style.HEATS, frame.sides, lowest=low))
 
 
 def _outline(touching: Array, frame: Frame) -> Strokes:

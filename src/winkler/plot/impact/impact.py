@@ -8,8 +8,9 @@ import math
 import numpy as np
 
 from winkler.plot import style
+from winkler.plot.curves import Quantity, curves_panel
 from winkler.plot.dispatch import without_extent
-from winkler.plot.friction.curves import bounds, energies_panel, lines_panel, loop_panel
+from winkler.plot.friction.curves import bounds, energies_panel, loop_panel
 from winkler.plot.panel import Band, Panel, Sheet, titled
 from winkler.plot.series import series_of
 from winkler.problems.impact.adhesive_impact import AdhesiveImpactSolution
@@ -23,7 +24,7 @@ def impact_sheet(item: ImpactSolution) -> Sheet:
     """Return forces, velocities, the contact and the energies over time; phases of edge sliding are shaded."""
     time = series_of(item, "time")
     mu = float(item.problem.law.coefficient)
-    forces = [(series_of(item, "force"), "$F_N$"), (series_of(item, "shear_force"), "$F_x$")]
+    forces = [Quantity(series_of(item, "force"), "$F_N$"), Quantity(series_of(item, "shear_force"), "$F_x$")]
     if math.isfinite(mu) and np.any(item.shear_force):
         forces += bounds("shear_force", mu * item.force)
     speeds = [(series_of(item, "velocity"), "approach $v$")]
@@ -41,9 +42,9 @@ def impact_sheet(item: ImpactSolution) -> Sheet:
     }
     panels = titled(
         (
-            lines_panel(time, forces, "force"),
-            lines_panel(time, speeds, "velocity"),
-            _with_slip(lines_panel(time, radii, "radius", low=0.0), item),
+            curves_panel(time, forces, label="force"),
+            curves_panel(time, speeds, label="velocity"),
+            _with_slip(curves_panel(time, radii, label="radius"), item),
             energies_panel(item, names, height_factor=1.55 / 1.15),
         ),
         "forces",
@@ -66,9 +67,9 @@ def adhesive_impact_sheet(item: AdhesiveImpactSolution) -> Sheet:
     panels = titled(
         (
             loop_panel(series_of(item, "depth"), series_of(item, "force"), float(item.dissipation[-1])),
-            lines_panel(time, [(series_of(item, "velocity"), "approach")], "velocity of approach $v$"),
-            lines_panel(time, [(series_of(item, "radius"), "contact")], "contact radius $a$", low=0.0),
-            lines_panel(time, energies, "energy"),
+            curves_panel(time, [(series_of(item, "velocity"), "")], label="velocity of approach $v$"),
+            curves_panel(time, [(series_of(item, "radius"), "")], label="contact radius $a$"),
+            curves_panel(time, energies, label="energy"),
         ),
         "force over depth",
         "velocity",

@@ -6,7 +6,7 @@ import numpy as np
 
 from winkler.plot import style
 from winkler.plot.dispatch import sheet_of
-from winkler.plot.line.contact import across, mirrored, one_strip, over
+from winkler.plot.line.contact import across, one_strip, over
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, zero
 from winkler.plot.series import places, scale_of, series
 from winkler.problems.line.adhesion import LineAdhesionSolution
@@ -34,4 +34,4 @@ def _pressure_panel(item: LineAdhesionSolution, end: float) -> Panel:
     drawn = series("pressure", np.clip(finite, -PULL_DRAWN * level, PULL_DRAWN * level))
     most = float(np.nanmax(drawn.content))
     upright = PanelAxis.of(drawn, scale_of("Pa", [level]), low=-PULL_DRAWN * level, high=1.1 * max(most, 0.0) or None)
-    return Panel((zero(), Line(*mirrored(x, drawn.content), style.RED)), across(end), upright)
+    return Panel((zero(), Line(*style.mirrored(x, drawn.content), style.RED)), across(end), upright)

@@ -12,12 +12,12 @@ from winkler.materials.elastic import Elastic
 from winkler.media.layered.coated import CoatedHalfSpace
 from winkler.numerics.types import Array
 from winkler.plot import style
+from winkler.plot.curves import curves_panel
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import checked_extent
 from winkler.plot.normal.stresses import stress_map
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, titled
-from winkler.plot.rough.roughness import models_panel
-from winkler.plot.series import Series, places, scale_of, series, with_unit
+from winkler.plot.series import places, row_of, scale_of, series, with_unit
 from winkler.problems.line.adhesion import LineAdhesionSolution
 from winkler.problems.line.indentation import LineIndentation, LineSolution
 from winkler.problems.line.layered_approach import has_depth
@@ -83,27 +83,17 @@ def _deepest(item: LineYieldOnsetSolution | LineShakedownSolution) -> float:
     return (1.0 - 1e-5) * medium.thickness
 
 
-def flat(item: Any, name: str) -> Series:
-    """Return a result of all loads in one row."""
-    return series(name, np.ravel(np.asarray(getattr(item, name), dtype=float)), type(item))
-
-
 def over(item: Any, name: str, along: str = "force_per_length") -> Panel:
     """Return a result of all loads over the load."""
-    return models_panel(flat(item, along), [(flat(item, name), "")])
+    return curves_panel(row_of(item, along), [(row_of(item, name), "")])
 
 
 def pressures_over(item: Any, along: str = "force_per_length", name: str = "mean", of: str = "mean_pressure") -> Panel:
     """Return the greatest pressure, where it is finite, and another one of all loads over the load."""
-    pressures = [(flat(item, of), name)]
+    pressures = [(row_of(item, of), name)]
     if np.isfinite(item.peak_pressure).all():
-        pressures.insert(0, (flat(item, "peak_pressure"), "greatest"))
-    return models_panel(flat(item, along), pressures, label="pressure")
-
-
-def mirrored(x: Array, content: Array) -> tuple[Array, Array]:
-    """Return places and contents on both sides of the middle."""
-    return np.concatenate([-x[::-1], x]), np.concatenate([content[::-1], content])
+        pressures.insert(0, (row_of(item, "peak_pressure"), "greatest"))
+    return curves_panel(row_of(item, along), pressures, label="pressure")
 
 
 def across(end: float) -> PanelAxis:
@@ -116,7 +106,7 @@ def _pressure_panel(item: LineSolution, end: float) -> Panel:
     marks = (a, *(b for b, _ in item.problem.bed.kinks if b < end)) if a > 0.0 else ()
     x = places(end, marks, count=241)
     finite, upright = pressure_axis(item.pressure(x), CLIPPED if np.isinf(item.peak_pressure) else 100.0)
-    return Panel((Line(*mirrored(x, finite), style.RED),), across(end), upright)
+    return Panel((Line(*style.mirrored(x, finite), style.RED),), across(end), upright)
 
 
 def pressure_axis(pressure: Array, share: float = 100.0) -> tuple[Array, PanelAxis]:
@@ -133,8 +123,8 @@ def surface_panel(item: Strip, end: float) -> Panel:
     end = min(end, bed.reach, bed.rim)
     x = places(end, (a,) if 0.0 < a < end else (), count=121)
     before = np.asarray(bed.profile.height(x), dtype=float)
-    both, height = mirrored(x, before)
-    pressed = mirrored(x, item.separation(x))[1] if a < bed.rim else None
+    both, height = style.mirrored(x, before)
+    pressed = style.mirrored(x, item.separation(x))[1] if a < bed.rim else None
     return distance_panel(both, height, pressed, across(end), legend="upper center")
 
 

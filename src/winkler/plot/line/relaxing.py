@@ -7,7 +7,7 @@ import numpy as np
 from winkler.plot import style
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import checked_extent
-from winkler.plot.line.contact import across
+from winkler.plot.line.contact import across, over
 from winkler.plot.panel import NO_CONTACT, Area, Line, Panel, PanelAxis, Sheet, titled
 from winkler.plot.series import scale_of, series, with_unit
 from winkler.problems.line_viscoelastic.indentation import LineViscoelasticSolution
@@ -24,7 +24,7 @@ CEILING = 3.0
 @sheet_of.register(LineViscoelasticSolution)
 def line_viscoelastic_sheet(item: LineViscoelasticSolution, *, extent: float | None = None) -> Sheet:
     """Return force, half-width and pressures over time, and the distribution of the pressure at some moments."""
-    panels = [_over_time(item, "force_per_length"), _over_time(item, "half_width")]
+    panels = [over(item, name, "time") for name in ("force_per_length", "half_width")]
     names = ["force per length", "half-width"]
     chosen = _chosen(item)
     if chosen:
@@ -45,14 +45,6 @@ def line_viscoelastic_state_sheet(item: LineViscoelasticState, *, extent: float 
     end = checked_extent(extent) or BESIDE * item.half_width
     press, when = with_unit(item.force_per_length, "N/m"), with_unit(item.time, "s")
     return Sheet((_pressures([item], end),), height=3.1, title=f"pressed by {press} at {when}")
-
-
-def _over_time(item: LineViscoelasticSolution, name: str) -> Panel:
-    time = series("time", item.time, LineViscoelasticSolution)
-    upright = series(name, getattr(item, name), LineViscoelasticSolution)
-    marker = "o" if item.time.size < 40 else ""
-    curve = Line(time.content, upright.content, style.BLUE, marker=marker, size=3.5)
-    return Panel((curve,), PanelAxis.of(time), PanelAxis.of(upright, low=0.0))
 
 
 def _chosen(item: LineViscoelasticSolution) -> list[LineViscoelasticState]:

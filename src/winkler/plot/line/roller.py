@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from winkler.plot import style
+from winkler.plot.axis import edges_of
 from winkler.plot.dispatch import without_extent
 from winkler.plot.line.contact import over, pressures_over
 from winkler.plot.panel import Line, Map, Panel, PanelAxis, Rule, Sheet, note, titled
@@ -61,15 +62,9 @@ def _map_panel(item: RollerSolution) -> Panel:
     pressure = series("pressure", np.where(state.pressure > 0.0, state.pressure, np.nan))
     bar = PanelAxis.of(pressure, scale_of("Pa", [limit]), low=0.0, high=limit)
     look: dict[str, Any] = {"extend": "neither" if math.isfinite(state.peak_pressure) else "max", "place": "inset"}
-    image = Map(state.edges, _edges(state.y), pressure.content.T, bar, kind="cells", **look)
+    image = Map(state.edges, edges_of(state.y), pressure.content.T, bar, kind="cells", **look)
     y = PanelAxis("across $y$", scale_of("m", state.y))
     return Panel((image,), _length_axis(item), y, grid="")
-
-
-def _edges(middles: np.ndarray) -> np.ndarray:
-    """Return the edges of cells about their middles."""
-    between = 0.5 * (middles[1:] + middles[:-1])
-    return np.concatenate([[1.5 * middles[0] - 0.5 * middles[1]], between, [1.5 * middles[-1] - 0.5 * middles[-2]]])
 
 
 def _along_panel(item: RollerSolution) -> Panel:

@@ -10,17 +10,19 @@ import numpy as np
 from winkler.loading.loads import LineShearForce
 from winkler.numerics.types import Array
 from winkler.plot import style
+from winkler.plot.curves import Quantity, curves_panel
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.extent import checked_extent
-from winkler.plot.line.contact import across
-from winkler.plot.panel import Line, Panel, PanelAxis, Rule, Sheet, points, titled
-from winkler.plot.series import scale_of, series, series_of, with_unit
+from winkler.plot.line.contact import across, over
+from winkler.plot.panel import Line, Panel, PanelAxis, Rule, Sheet, titled
+from winkler.plot.series import Series, scale_of, series, series_of, with_unit
 from winkler.problems.line_rolling.resistance import LineRollingResistanceSolution
 from winkler.problems.line_rolling.rolled_strip import sliding_creepage
 from winkler.problems.line_rolling.start import LineRollingStartSolution
 from winkler.problems.line_rolling.start_states import DRAGGED
 from winkler.problems.line_rolling.steady import LineRollingSolution
 from winkler.problems.rolling.creepage import Creepage
+from winkler.values.vocabulary import Word
 
 POINTS, STRIP_POINTS, COUPLED_POINTS = 121, 41, 15
 """Of a creep curve in closed form, on elements, and on elements with coupling, which take longer."""
@@ -77,12 +79,8 @@ def _creep_panel(item: LineRollingSolution) -> Panel:
         along, places = np.unique(np.append(along, creepage), return_index=True)
         forces = np.append(forces, ratio)[places]
     of = series("longitudinal_creepage", along, LineRollingSolution)
-    marks = (
-        Line(along, forces, style.BLUE),
-        points(creepage, ratio, style.RED),
-        Rule(1.0, width=0.9, dash=style.DOTTED),
-    )
-    return Panel(marks, PanelAxis.of(of), PanelAxis(r"force $Q/(\mu P)$", margin=0.1))
+    force = Quantity(Series("force", Word("", "", "force over that of sliding"), forces), points=(creepage, ratio))
+    return curves_panel(of, [force], label=r"force $Q/(\mu P)$").plus(Rule(1.0, width=0.9, dash=style.DOTTED))
 
 
 def _used(item: LineRollingSolution) -> Array:
@@ -113,10 +111,10 @@ def line_rolling_start_sheet(item: LineRollingStartSolution, *, extent: float | 
     name = "longitudinal_creepage" if held else "shear_force_per_length"
     first = 1 if held and item.distance.size > 1 else 0  # at rest there is no creepage
     found, distance = series_of(item, name), series_of(item, "distance")
-    course: list[Any] = [Line(distance.content[first:], found.content[first:], style.BLUE)]
+    distance, found = (dataclasses.replace(one, content=one.content[first:]) for one in (distance, found))
+    courses = curves_panel(distance, [(found, "")])
     if DRAGGED not in item.validity:
-        course.append(Rule(float(getattr(item.steady, name)), width=0.9, dash=style.DOTTED))
-    courses = Panel(tuple(course), PanelAxis.of(distance), PanelAxis.of(found, margin=0.1))
+        courses = courses.plus(Rule(float(getattr(item.steady, name)), width=0.9, dash=style.DOTTED))
     end = checked_extent(extent) or BESIDE * float(item.contact.half_width)
     panels = titled((courses, _states_panel(item, end)), "until it is steady", "traction, rolling to the right")
     return Sheet(panels, height=3.1)
@@ -158,9 +156,6 @@ def line_resistance_sheet(item: LineRollingResistanceSolution, *, extent: float 
     if not many:
         title = f"resistance {float(item.coefficient):.3g} of the force per length"
         return Sheet((pressed,), height=3.1, title=title)
-    rates = series("speed", speed[order], LineRollingResistanceSolution)
-    curve = Line(speed[order], coefficient[order], style.BLUE, marker="o" if speed.size < 40 else "", size=3.5)
-    shares = series("coefficient", coefficient, LineRollingResistanceSolution)
-    curves = Panel((curve,), PanelAxis.of(rates, log=True), PanelAxis.of(shares, low=0.0))
-    panels = titled((curves, pressed), "resistance over force per length", "pressure, rolling to the right")
+    names = "resistance over force per length", "pressure, rolling to the right"
+    panels = titled((over(item, "coefficient", "speed"), pressed), *names)
     return Sheet(panels, height=3.1)

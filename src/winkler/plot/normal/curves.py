@@ -13,9 +13,8 @@ from winkler.plot import style
 from winkler.plot.extent import has_tensile_singularity, is_singular, marks_of
 from winkler.plot.medium import OFFSET_FROM_AXIS
 from winkler.plot.panel import Area, Line, Panel, PanelAxis, Text, note, points, zero
-from winkler.plot.series import Curve, Series, places, scale_of, series, with_unit
+from winkler.plot.series import Curve, places, scale_of, series, with_unit
 from winkler.problems.answer import Restorable
-from winkler.values.checks.contract import is_a
 
 MOST_MARKED_POINTS = 40
 """Points of a curve are marked individually up to this number."""
@@ -57,22 +56,6 @@ def surface(solution: Restorable, extent: float) -> SurfaceFields:
         [m].
     """
     return restore(solution, places(extent, marks_of(solution.pressed), count=320))
-
-
-def load_curves(solution: Any) -> dict[str, Curve]:
-    """Return force, contact radius and stiffness over the depth, of a solution for many loads.
-
-    The stiffness is left out for adhesive contacts, where it diverges at pull-off.
-    """
-    order = np.argsort(np.ravel(solution.depth), kind="stable")
-
-    def sorted_series(name: str) -> Series:
-        return series(name, np.ravel(getattr(solution, name))[order])
-
-    depth = sorted_series("depth")
-    adheres = is_a(solution, "winkler.problems.adhesion.indentation:AdhesiveSolution")
-    names = ("force", "radius") if adheres else ("force", "radius", "stiffness")
-    return {name: Curve(depth, sorted_series(name)) for name in names}
 
 
 def force_depth(pressed: PressedSprings) -> Curve:
@@ -199,21 +182,6 @@ def pressure_panel(solution: Restorable, extent: float, mean: float | None = Non
     end = float(np.max(x))
     upright = PanelAxis.of(p, scale, low=bottom, high=top if top > bottom else scale.factor)
     return Panel(tuple(marks), PanelAxis.of(r, low=-end, high=end), upright)
-
-
-def surface_pressure_panel(fields: SurfaceFields) -> Panel:
-    """Return restored pressures over r.
-
-    Parameters
-    ----------
-    fields : SurfaceFields
-        r of shape (n,).
-    """
-    order = np.argsort(fields.r, kind="stable")
-    pressure = np.where(np.isfinite(fields.pressure), fields.pressure, np.nan)[order]
-    curve = Curve(series("r", fields.r[order]), series("pressure", pressure))
-    panel = curve_panel(curve)
-    return panel if np.any(pressure < 0.0) else panel.plus(upright=PanelAxis.of(curve.of, low=0.0))
 
 
 def surface_panel(fields: SurfaceFields) -> Panel:

@@ -15,10 +15,11 @@ from winkler.materials.elastic import Rigid
 from winkler.media.medium import Medium
 from winkler.numerics.types import Array
 from winkler.plot import style
+from winkler.plot.curves import curves_panel
 from winkler.plot.extent import is_singular
 from winkler.plot.medium import interfaces
-from winkler.plot.panel import Line, Map, Panel, PanelAxis, Rule, among, note
-from winkler.plot.series import Series, common_scale, round_numbers, scale_of, series, with_unit
+from winkler.plot.panel import Line, Map, Panel, PanelAxis, Rule, note
+from winkler.plot.series import Series, common_scale, round_numbers, row_of, scale_of, series, with_unit
 from winkler.problems.answer import Restorable
 from winkler.problems.normal.greatest_stress import least_depth
 from winkler.values.errors import InvalidInput
@@ -194,13 +195,6 @@ def along_panel(fields: SubsurfaceFields) -> Panel:
         r and z of shape (n,).
     """
     name = "z" if np.ptp(fields.z) >= np.ptp(fields.r) else "r"
-    along = series(name, np.ravel(getattr(fields, name)))
-    order = np.argsort(along.content, kind="stable")
     names = ("radial_stress", "hoop_stress", "axial_stress", "shear_stress", "von_mises")
-    stresses = [series(one, np.ravel(getattr(fields, one))) for one in names]
-    lines = [
-        among(place, along.content[order], one.content[order], one.label().partition(" [")[0], size=3.5)
-        for place, one in enumerate(stresses)
-    ]
-    upright = PanelAxis("stress", common_scale(*stresses))
-    return Panel((*lines, Rule(0.0)), PanelAxis.of(along), upright, legend="best")
+    stresses = [(one := row_of(fields, each), one.label().partition(" [")[0]) for each in names]
+    return curves_panel(row_of(fields, name), stresses, label="stress")

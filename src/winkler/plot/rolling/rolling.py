@@ -10,14 +10,16 @@ import numpy as np
 from winkler.laws.varying_friction import greatest_coefficient
 from winkler.numerics.types import Array
 from winkler.plot import style
+from winkler.plot.curves import Quantity, curves_panel
 from winkler.plot.dispatch import sheet_of
 from winkler.plot.panel import Area, Line, Map, Panel, PanelAxis, Rule, Sheet, Text, Vectors, note, points, titled, zero
-from winkler.plot.series import Series, middle_scale, series
+from winkler.plot.series import Series, middle_scale, row_of, series
 from winkler.problems.rolling.creepage import Creepage
 from winkler.problems.rolling.oscillating import OscillatingRollingSolution
 from winkler.problems.rolling.simplified_theory import SimplifiedRollingSolution
 from winkler.problems.rolling.start import RollingStartSolution
 from winkler.problems.rolling.steady import RollingSolution
+from winkler.values.vocabulary import Word
 
 POINTS = 121
 CREEPAGE_BEYOND_SLIDING = 1.35
@@ -67,33 +69,26 @@ def _creep_panel(item: Any, force: float) -> Panel:
         return Panel((note(text, "upper centre"),), title="creep force")
     curve = _solved_at(item, np.linspace(0.0, _end_factor(item), POINTS)) if single else item
     along = _along(curve, varied[0])
-    order = np.argsort(along.content, kind="stable")
     bound_force = _friction_bound(item.problem, force)
-    marks: list[Any] = []
-    for part, colour in (("longitudinal_force", style.BLUE), ("lateral_force", style.RED)):
+    rows, full = [], []
+    for part in ("longitudinal_force", "lateral_force"):
         content = np.ravel(np.asarray(getattr(curve, part))) / bound_force
-        if np.max(np.abs(content)) < LEAST_FORCE_SHARE:
-            continue
-        marker = "" if single or content.size > 40 else "o"
-        name = part.removesuffix("_force")
-        marks.append(Line(along.content[order], content[order], colour, marker=marker, name=name))
-        if single:
-            marks.append(points(getattr(creepage, varied[0]), float(getattr(item, part)) / bound_force, colour))
+        asked = (getattr(creepage, varied[0]), getattr(item, part) / bound_force) if single else ((), ())
+        rows.append(Quantity(Series(part, Word("", "", part), content), part.removesuffix("_force"), asked))
         if np.max(np.abs(content)) > 0.8:
-            marks.append(Rule(float(np.sign(content[np.argmax(np.abs(content))])), width=0.9, dash=style.DOTTED))
-    lines = sum(isinstance(mark, Line) and bool(mark.name) for mark in marks)
+            full.append(Rule(float(np.sign(content[np.argmax(np.abs(content))])), width=0.9, dash=style.DOTTED))
+    drawn = [row for row in rows if np.max(np.abs(row.of.content)) >= LEAST_FORCE_SHARE] or rows[:1]
+    panel = curves_panel(along, drawn, label=r"creep force $F/(\mu F_N)$").plus(*full, title="creep force")
+    legend = panel.legend if len(drawn) > 1 else ""
     others = ", the others in proportion" if single and len(varied) > 1 else ""
-    unit = f" [{along.scale.unit}]" if along.scale.unit else ""
-    label = f"{varied[0]}{' creepage' if varied[0] != 'spin' else ''} ${along.word.symbol}${unit}{others}"
-    across = PanelAxis(label, along.scale._replace(unit=""))
-    upright = PanelAxis(r"creep force $F/(\mu F_N)$", margin=0.1)
-    return Panel((*marks, zero()), across, upright, title="creep force", legend="best" if lines > 1 else "")
+    return panel.plus(legend=legend, across=dataclasses.replace(panel.across, label=f"{panel.across.label}{others}"))
 
 
 def _along(curve: Any, name: str) -> Series:
     creepage = curve.problem.creepage
     content = np.broadcast_to(np.asarray(getattr(creepage, name), dtype=float), creepage.shape)
-    return series(name, np.ravel(content), Creepage)
+    of = series(name, np.ravel(content), Creepage)
+    return of if name == "spin" else dataclasses.replace(of, name=f"{name} creepage")
 
 
 def _end_factor(item: Any) -> float:
@@ -224,8 +219,6 @@ def rocking_sheet(item: OscillatingRollingSolution, *, extent: float | None = No
     """Return the shift over the cycles, the springs after some of them, and the load in the shakedown diagram."""
     problem, radius = item.problem, float(item.contact.radius)
     bound_force = _friction_bound(problem, float(item.contact.force))
-    shift = Line(item.cycle, item.shift, marker="o" if item.cycle.size < 40 else "", size=3.5)
-    upright = PanelAxis.of(series("shift", item.shift), low=0.0)
     last = len(item.states) - 1
     after = sorted({0, 1, min(4, last), last})
     labels = [(k, "at rest" if k == 0 else f"{k} cycles" if k > 1 else "1 cycle") for k in after]
@@ -246,7 +239,7 @@ def rocking_sheet(item: OscillatingRollingSolution, *, extent: float | None = No
     axes = PanelAxis("amplitude $W/a$", low=0.0, high=1.0), PanelAxis(r"shear force $F_x/(\mu F_N)$", low=0.0, high=1.0)
     panels = titled(
         (
-            Panel((shift,), PanelAxis("cycles $n$", margin=0.03), upright),
+            curves_panel(row_of(item, "cycle"), [(row_of(item, "shift"), "")]),
             _states_panel(item, labels),
             Panel(marks, *axes),
         ),

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import dataclasses
-
 import numpy as np
 
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.normal.stresses import stress_map
-from winkler.plot.panel import Map, Panel, Sheet, points
+from winkler.plot.panel import Panel, Sheet, points
 from winkler.plot.rough.roughness import framed, image_of
-from winkler.plot.series import Series, scale_of, series, with_unit
+from winkler.plot.series import Series, series, with_unit
 from winkler.problems.subsurface.below_surface import fields_at_depth, fields_on_plane
 from winkler.problems.subsurface.map_stress import MapStressSolution
-from winkler.profiles.rough.topography import Topography
 
 DEPTHS_DRAWN = 41
 LEAST_DEPTH_DRAWN = 0.35
@@ -45,10 +42,8 @@ def map_stress_sheet(item: MapStressSolution) -> Sheet:
 def _map(item: MapStressSolution, of: Series) -> Panel:
     """Return one quantity over the pixels."""
     load = item.problem.load
-    box = Topography(np.zeros(np.maximum(load.pressure.shape, 2)), load.lengths)
-    x, y = (start + np.array([0.0, length]) for start, length in zip(load.corner, load.lengths, strict=True))
-    image: Map = dataclasses.replace(image_of(box, of, style.SHADES), x=x, y=y)
-    return framed(image, scale_of("m", np.concatenate([x, y])))
+    sides = [start + np.array([0.0, length]) for start, length in zip(load.corner, load.lengths, strict=True)]
+    return framed(image_of(of, style.SHADES, sides))
 
 
 def _plane(item: MapStressSolution) -> Panel:

@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-import dataclasses
-
 import numpy as np
 
 from winkler.materials.elastic import Elastic
 from winkler.media.halfspace import HalfSpace
 from winkler.plot import style
+from winkler.plot.curves import curves_panel
 from winkler.plot.dispatch import without_extent
 from winkler.plot.normal.stresses import stress_map
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, titled
-from winkler.plot.rough.roughness import framed, image_of, models_panel
+from winkler.plot.rough.roughness import framed, image_of
 from winkler.plot.series import row_of, scale_of, series, with_unit
 from winkler.problems.normal.elliptic import EllipticSolution
 from winkler.problems.normal.elliptic_yielding import EllipticYieldOnsetSolution
-from winkler.profiles.rough.topography import Topography
 from winkler.values.errors import OutsideValidity
 
 PIXELS_ACROSS = 201
@@ -42,7 +40,7 @@ def ellipse_sheet(item: EllipticSolution) -> Sheet:
         return Sheet((_ellipse_panel(item), *_stress_panels(item)), width=4.8, height=3.4, title=title)
     depth = row_of(item, "depth")
     semi_axes = [(row_of(item, f"{name}_semi_axis"), f"${a}$") for name, a in (("longitudinal", "a"), ("lateral", "b"))]
-    panels = models_panel(depth, [(row_of(item, "force"), "")]), models_panel(depth, semi_axes, label="semi-axes")
+    panels = curves_panel(depth, [(row_of(item, "force"), "")]), curves_panel(depth, semi_axes, label="semi-axes")
     return Sheet(titled(panels, "force over depth", "semi-axes over depth"), height=3.2)
 
 
@@ -53,10 +51,8 @@ def _ellipse_panel(item: EllipticSolution) -> Panel:
     places = (2.0 * np.arange(PIXELS_ACROSS) + 1.0) / PIXELS_ACROSS - 1.0
     pressure = item.pressure(half[0] * places[:, None], half[1] * places[None, :])
     drawn = series("pressure", np.where(pressure > 0.0, pressure, np.nan))
-    box = Topography(np.zeros((PIXELS_ACROSS, PIXELS_ACROSS)), 2.0 * half)
-    ends = np.array([-1.0, 1.0])
-    image = dataclasses.replace(image_of(box, drawn, style.SHADES), x=half[0] * ends, y=half[1] * ends)
-    panel = framed(image, scale_of("m", box.lengths)).plus(title="pressure over the ellipse")
+    sides = half[:, None] * np.array([-1.0, 1.0])
+    panel = framed(image_of(drawn, style.SHADES, tuple(sides))).plus(title="pressure over the ellipse")
     if not stretched:
         return panel
     x, y = (PanelAxis(f"${name}$", scale_of("m", np.array([length]))) for name, length in zip("xy", half, strict=True))

@@ -91,7 +91,7 @@ def film_panels(item: Any, index: int) -> tuple[Panel, Panel]:
         traction=np.stack([_on_map(ever, frame, part) for part in frame.traction]).astype(float),
     )
     most = max(float(np.max(np.hypot(*each.traction))) for each in frames)
-    zones, size = traction_maps(rough, state, frame=frame_of(ever)) if frame.touching.any() else (NO_CONTACT,) * 2
+    zones, size = traction_maps(rough.pixel, state, frame=frame_of(ever)) if frame.touching.any() else (NO_CONTACT,) * 2
     marks = tuple(_scaled(mark, most) for mark in size.marks)
     return zones, dataclasses.replace(size, marks=marks)
 

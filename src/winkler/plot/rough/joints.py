@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from winkler.plot import style
+from winkler.plot.curves import curves_panel
 from winkler.plot.dispatch import without_extent
-from winkler.plot.panel import Panel, PanelAxis, Rule, Sheet, among, titled
-from winkler.plot.rough.roughness import map_panel, models_panel
-from winkler.plot.series import Series, row_of, scale_of, series, with_unit
+from winkler.plot.panel import Rule, Sheet, titled
+from winkler.plot.rough.roughness import map_panel
+from winkler.plot.series import Series, row_of, series, with_unit
 from winkler.problems.pressed_maps.flow_factors import FlowFactors
 from winkler.problems.pressed_maps.seal_states import gap_of
 from winkler.problems.pressed_maps.thermal_joint import ThermalJointSolution
@@ -42,7 +43,7 @@ def thermal_joint_sheet(item: ThermalJointSolution) -> Sheet:
             )
             if np.all(row_of(item, name).content > 0.0)
         ]  # fmt: skip
-        panels.append(models_panel(row_of(item, "force"), lines, label="conductance"))
+        panels.append(curves_panel(row_of(item, "force"), lines, label="conductance"))
         names.append("conductance over force")
     force, whole, by_gap = (
         float(np.ravel(np.asarray(part))[-1]) for part in (item.force, item.conductance, item.gap_conductance)
@@ -54,17 +55,9 @@ def thermal_joint_sheet(item: ThermalJointSolution) -> Sheet:
 @without_extent(FlowFactors)
 def flow_factors_sheet(item: FlowFactors) -> Sheet:
     """Return the flow factors along both directions over the distance of the mean planes."""
-    order = np.argsort(item.separation)
-    lines = [
-        among(place, item.separation[order], factor[order], name)
-        for place, (factor, name) in enumerate(
-            ((item.flow_factor, "along $x$"), (item.lateral_flow_factor, "along $y$"))
-        )
-    ]
-    scale = scale_of("m", item.separation)
-    marks = [*lines, Rule(1.0, dash=(4.0, 3.0))]
+    factors = [(row_of(item, "flow_factor"), "along $x$"), (row_of(item, "lateral_flow_factor"), "along $y$")]
+    marks = [Rule(1.0, dash=(4.0, 3.0))]
     if item.closing_separation > 0.0:
         marks.append(Rule(item.closing_separation, upright=True, name="closed along $x$"))
-    across = PanelAxis("distance of the mean planes $h$", scale, low=0.0, margin=0.04)
-    panel = Panel(tuple(marks), across, PanelAxis("flow factor $\\phi$", low=0.0, margin=0.08), legend="lower right")
-    return Sheet((panel.plus(title="flow factors of the rigid gap"),), width=4.8, height=3.3)
+    panel = curves_panel(row_of(item, "separation"), factors, label="flow factor $\\phi$")
+    return Sheet((panel.plus(*marks, title="flow factors of the rigid gap"),), width=4.8, height=3.3)

@@ -9,9 +9,10 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot import style
+from winkler.plot.curves import Bounds, curves_panel
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, plane, points, titled
-from winkler.plot.rough.roughness import Bounds, models_panel, spectrum_panel
+from winkler.plot.rough.roughness import spectrum_panel
 from winkler.plot.series import row_of, scale_of, series, with_unit
 from winkler.problems.normal.near_round import NearlyRoundSolution
 from winkler.problems.rough.elastomer_friction import ElastomerFrictionSolution
@@ -39,9 +40,9 @@ def lines_sheet(item: RoughContactSolution | RoughIndentationSolution) -> Sheet:
     if isinstance(item, RoughIndentationSolution):
         stiffness.append((row_of(item, "smooth_stiffness"), "smooth body"))
     panels = (
-        models_panel(force, [(row_of(item, "depth"), "median")], [_band_of(item, "depth")]),
-        models_panel(force, stiffness, [_band_of(item, "stiffness")]),
-        models_panel(force, [(row_of(item, "area"), "Persson")]),
+        curves_panel(force, [(row_of(item, "depth"), "median")], [_band_of(item, "depth")]),
+        curves_panel(force, stiffness, [_band_of(item, "stiffness")]),
+        curves_panel(force, [(row_of(item, "area"), "Persson")]),
     )
     titles = (f"{name} over force" for name in ("depth", "stiffness", "true contact area"))
     return Sheet((spectrum, *titled(panels, *titles)), 2)
@@ -85,7 +86,7 @@ def contour_sheet(item: NearlyRoundSolution) -> Sheet:
     axes = plane(scale, margin=0.08)
     panels = [Panel(tuple(lines), *axes, title="contour of the contact", equal=True)]
     if len(contours) > 1:
-        panels.append(models_panel(row_of(item, "depth"), [(row_of(item, "force"), "")]).plus(title="force over depth"))
+        panels.append(curves_panel(row_of(item, "depth"), [(row_of(item, "force"), "")]).plus(title="force over depth"))
     return Sheet(tuple(panels), height=3.6)
 
 
@@ -100,6 +101,6 @@ def _places(radii: Array, *, closed: bool = False) -> tuple[Array, Array]:
 def elastomer_sheet(item: ElastomerFrictionSolution) -> Sheet:
     """Return the coefficient of friction over the velocity, and the spectrum of the surface."""
     velocity = series("velocity", np.ravel(item.problem.velocity), ElastomerFrictionSolution)
-    panels = models_panel(velocity, [(row_of(item, "coefficient"), "")]), spectrum_panel([(item.problem.spectrum, "")])
+    panels = curves_panel(velocity, [(row_of(item, "coefficient"), "")]), spectrum_panel([(item.problem.spectrum, "")])
     titles = ("friction over velocity: a trend", "power spectrum of the surface")
     return Sheet(titled(panels, *titles), height=3.2)

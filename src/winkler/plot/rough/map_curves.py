@@ -7,11 +7,12 @@ import math
 import numpy as np
 
 from winkler.numerics.transforms.autocorrelation import autocorrelation, rays
+from winkler.numerics.types import Array
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Line, Panel, PanelAxis, Rule, Sheet, among, note, titled, zero
 from winkler.plot.rough.roughness import cuts_panel, heights_of, map_panel, spectrum_panel
-from winkler.plot.series import scale_of, with_unit
+from winkler.plot.series import Scale, scale_of, with_unit
 from winkler.profiles.rough.correlation import CORRELATION_LEVEL
 from winkler.profiles.rough.line_scan import LineScan
 from winkler.profiles.rough.map_spectrum import spectrum_of
@@ -24,12 +25,11 @@ FARTHEST = 6.0
 """Distances of the autocorrelation that are drawn, in longest correlation lengths."""
 
 
-def _bearing_panel(item: Topography) -> Panel:
-    """Return which part of the map lies above a height."""
-    scale = heights_of(item).scale
-    line = Line(100.0 * SHARES, bearing_heights(item, SHARES), style.BLUE)
-    across = PanelAxis("part of the map above [%]", low=0.0, high=100.0)
-    return Panel((zero(), line), across, PanelAxis("height above the mean", scale, margin=0.06))
+def _bearing_panel(heights: Array, scale: Scale, of: str) -> Panel:
+    """Return which part of a map or scan lies above a height."""
+    across = PanelAxis(f"part of the {of} above [%]", low=0.0, high=100.0)
+    upright = PanelAxis("height above the mean", scale, margin=0.06)
+    return Panel((zero(), Line(100.0 * SHARES, heights, style.BLUE)), across, upright)
 
 
 def _correlation_panel(item: MapStatistics) -> Panel:
@@ -72,10 +72,9 @@ def scan_sheet(item: LineScan) -> Sheet:
     scale = scale_of("m", level.heights)
     across = PanelAxis("place $x$", scale_of("m", level.position), margin=0.0)
     heights = PanelAxis("height $z$", scale, margin=0.06)
-    bearing = Line(100.0 * SHARES, np.quantile(level.heights, 1.0 - SHARES), style.BLUE)
     panels = (
         Panel((zero(), Line(level.position, level.heights, style.BLUE, width=1.0)), across, heights),
-        Panel((zero(), bearing), PanelAxis("part of the scan above [%]", low=0.0, high=100.0), heights),
+        _bearing_panel(np.quantile(level.heights, 1.0 - SHARES), scale, "scan"),
         spectrum_panel([(item.spectrum, "")]),
     )
     sizes = [with_unit(size, "m", 3) for size in (item.arithmetic_height, item.rms_height)]
@@ -100,7 +99,7 @@ def statistics_sheet(item: MapStatistics) -> Sheet:
     panels = (
         map_panel(rough, heights_of(rough), style.RELIEFS, label="height $z$", lowest=np.inf),
         cuts_panel(rough),
-        _bearing_panel(rough),
+        _bearing_panel(bearing_heights(rough, SHARES), heights_of(rough).scale, "map"),
         _correlation_panel(item),
         spectrum,
         _curvature_panel(rough),

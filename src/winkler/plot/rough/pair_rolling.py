@@ -5,8 +5,6 @@ from __future__ import annotations
 import dataclasses
 import math
 
-import numpy as np
-
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Panel, Sheet
 from winkler.plot.rough.profile_pair import bodies_panel
@@ -14,7 +12,6 @@ from winkler.plot.rough.shear import traction_maps
 from winkler.plot.series import with_unit
 from winkler.problems.profile_pair.pair_rolling import ProfilePairRollingSolution
 from winkler.problems.profile_pair.rolled_patch import RolledPatch
-from winkler.profiles.rough.topography import Topography
 
 MOST_PATCHES = 2
 """Patches whose tractions are drawn."""
@@ -36,8 +33,7 @@ def pair_rolling_sheet(item: ProfilePairRollingSolution) -> Sheet:
 
 def _maps(each: RolledPatch) -> tuple[Panel, ...]:
     load = each.surface_load
-    box = Topography(np.zeros(each.pressure.shape), load.lengths)
-    maps = traction_maps(box, each, (float(load.corner[0]), float(load.corner[1])))
+    maps = traction_maps(load.pixel, each, (float(load.corner[0]), float(load.corner[1])))
     x, y = (("along $x$", "across"), ("along the arc $s$", "upright"))
     return tuple(
         dataclasses.replace(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from typing import Any
 
 import numpy as np
@@ -10,10 +9,11 @@ import numpy as np
 from winkler.numerics.films.joined import islands
 from winkler.numerics.types import Array
 from winkler.plot import style
+from winkler.plot.curves import Bounds, curves_panel
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Area, Line, Panel, PanelAxis, Sheet, Vectors, note, titled
-from winkler.plot.rough.roughness import Bounds, map_panel, models_panel
-from winkler.plot.series import row_of, scale_of, series, with_unit
+from winkler.plot.rough.roughness import map_panel
+from winkler.plot.series import positive, row_of, scale_of, series, with_unit
 from winkler.problems.pressed_maps.seal import SealSolution
 from winkler.problems.pressed_maps.seal_states import FilmPassage, gap_of
 from winkler.problems.pressed_maps.true_area import TrueAreaSolution, patch_areas
@@ -78,7 +78,7 @@ def true_area_sheet(item: TrueAreaSolution) -> Sheet:
         for name in ("area", "peak_pressure"):
             of, error = row_of(item, name), row_of(item, f"{name}_error").content
             band = Bounds(np.maximum(of.content - error, 0.0), of.content + error, "change of the grid", style.BLUE)
-            panels.append(models_panel(row_of(item, "force"), [(of, "")], [band]))
+            panels.append(curves_panel(row_of(item, "force"), [(of, "")], [band]))
             names.append(f"{name.replace('_', ' ')} over force")
     share = 100.0 * float(state.area) / rough.area
     title = f"{with_unit(state.force, 'N')}: {areas.size} patches, {share:.3g} % of the map touches"
@@ -137,15 +137,10 @@ def seal_sheet(item: SealSolution) -> Sheet:
             "critical gap": (("critical_gap", "along $x$"), ("lateral_critical_gap", "along $y$")),
         }  # fmt: skip
         for label, rows in columns.items():
-            lines = [(row_of(item, name), legend) for name, legend in rows]
-            # what is zero has no place on a logarithmic axis
-            lines = [
-                (dataclasses.replace(one, content=np.where(one.content > 0.0, one.content, np.nan)), legend)
-                for one, legend in lines
-                if np.any(one.content > 0.0)
-            ]
+            drawn = [(positive(row_of(item, name)), legend) for name, legend in rows]
+            lines = [(one, legend) for one, legend in drawn if np.isfinite(one.content).any()]
             if lines:
-                panels.append(models_panel(force, lines, label=label))
+                panels.append(curves_panel(force, lines, label=label))
                 names.append(f"{label} over force")
     leak = float(np.ravel(np.asarray(item.leak_rate))[-1])
     flows = f"{with_unit(leak, 'm^3/s')} along $x$" if leak > 0.0 else "nothing leaks along $x$"

@@ -8,6 +8,7 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot import style
+from winkler.plot.axis import edges_of
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Line, Map, Panel, PanelAxis, Sheet, points, zero
 from winkler.plot.series import scale_of, series, with_unit
@@ -82,13 +83,8 @@ def _pressure(patch: ProfilePatch) -> Panel:
     """Return the pressure on one patch."""
     pressure = series("pressure", np.where(patch.pressure > 0.0, patch.pressure, np.nan))
     bar = PanelAxis.of(pressure, low=0.0, high=patch.peak_pressure)
-    x, s = (_edges(places) for places in (patch.along, patch.across))
+    x, s = (edges_of(places) for places in (patch.along, patch.across))
     image = Map(s, x, pressure.content, bar, kind="cells", colours=style.SHADES, place="inset")
     scale, sides = scale_of("m", np.concatenate([x, s])), (float(np.ptp(x)), float(np.ptp(s)))
     alike = min(sides) >= FLAT * max(sides)
     return Panel((image,), PanelAxis("along the arc $s$", scale), PanelAxis("along $x$", scale), equal=alike, grid="")
-
-
-def _edges(middles: Array) -> Array:
-    step = middles[1] - middles[0]
-    return np.append(middles - 0.5 * step, middles[-1] + 0.5 * step)

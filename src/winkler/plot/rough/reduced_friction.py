@@ -11,16 +11,16 @@ from winkler.loading.loads import Depth, ShearForce
 from winkler.loading.path import Path
 from winkler.numerics.types import Array
 from winkler.plot import style
+from winkler.plot.curves import curves_panel
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, titled, zero
-from winkler.plot.series import series, with_unit
+from winkler.plot.series import Series, series, with_unit
 from winkler.problems.friction.tangential import Tangential
 from winkler.problems.surface_friction.reduced import ReducedFrictionSolution
+from winkler.values.vocabulary import Word
 
 POINTS_BETWEEN = 12
 """Points of a drawn loop for each compared one."""
-RATIO_MARGIN = 0.04
-"""Of the axis of the ratios, above and below."""
 ELEMENTS_LOOK: dict[str, Any] = {"width": 0.0, "marker": "o", "size": 4.0, "name": "boundary elements"}
 
 
@@ -31,7 +31,10 @@ def reduced_friction_sheet(item: ReducedFrictionSolution) -> Sheet:
         _loop(item, item.bed, item.shift[:, 0], ("shift_x", "shear_force_x")),
         _loop(item, item.bed.turned, item.shift[:, 1], ("shift_y", "shear_force_y")),
     )
-    panels = titled((*loops, _ratios(item.bed)), "shear along $x$", "shear along $y$", "stiffness along the surface")
+    ratios = {"along $x$": item.bed.ratios_along, "along $y$": item.bed.ratios_across}
+    rows = [(Series("ratio", Word("", "", "ratio of stiffness"), ratio), name) for name, ratio in ratios.items()]
+    over = curves_panel(series("depth", item.bed.depths), rows, label="tangential over normal stiffness")
+    panels = titled((*loops, over), "shear along $x$", "shear along $y$", "stiffness along the surface")
     shift, loss = (f"{100.0 * error:.2g} %" for error in (item.shift_error, item.loss_error))
     title = f"{with_unit(item.force, 'N')}: springs differ by up to {shift} in shifts and {loss} in losses"
     return Sheet(panels, 3, width=3.9, height=3.3, title=title)
@@ -51,19 +54,3 @@ def _loop(item: ReducedFrictionSolution, bed: DirectionalBed, shift: Array, name
         Line(shift, shear, style.RED, **ELEMENTS_LOOK),
     )
     return Panel(marks, PanelAxis.of(along, margin=0.06), PanelAxis.of(of, margin=0.12), legend="upper left")
-
-
-def _ratios(bed: DirectionalBed) -> Panel:
-    """Return tangential over normal stiffness of the contact over the depth."""
-    along = series("depth", bed.depths)
-    both = np.concatenate([bed.ratios_along, bed.ratios_across])
-    marks = (
-        Line(bed.depths, bed.ratios_along, name="along $x$"),
-        Line(bed.depths, bed.ratios_across, style.RED, name="along $y$"),
-    )
-    upright = PanelAxis(
-        "tangential over normal stiffness",
-        low=float(np.min(both)) - RATIO_MARGIN,
-        high=float(np.max(both)) + RATIO_MARGIN,
-    )
-    return Panel(marks, PanelAxis.of(along, low=0.0), upright, legend="best")

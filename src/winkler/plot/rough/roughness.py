@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
-from winkler.numerics.types import Array
+from winkler.numerics.types import Array, ArrayLike
 from winkler.plot import style
 from winkler.plot.dispatch import without_extent
-from winkler.plot.families import spans_decades
-from winkler.plot.panel import Area, Map, Panel, PanelAxis, Sheet, among, note, plane
-from winkler.plot.series import Scale, Series, middle_scale, scale_of, series, with_unit
+from winkler.plot.panel import Map, Panel, PanelAxis, Sheet, among, note, plane
+from winkler.plot.series import Series, scale_of, series, with_unit
 from winkler.profiles.rough.map_spectrum import spectrum_of
 from winkler.profiles.rough.spectrum import PowerSpectrum, SelfAffine, Spectrum
 from winkler.profiles.rough.topography import Topography
+from winkler.values.vocabulary import Word
 
 MOST_PIXELS = 512
 """Most pixels along a side; larger maps are averaged over blocks."""
@@ -25,9 +25,6 @@ CLIPPED_SHARE = 0.002
 """Part of the pixels that may lie beyond the range of colours, as pits and spikes."""
 LEAST_DENSITY_SHARE = 1e-10
 """Relative spectral density below which only leakage of the window is left, which is not drawn."""
-MOST_MARKED_POINTS = 40
-AXIS_FACTOR = 3.0
-"""Range of logarithmic axes beyond that of the models, as a factor."""
 
 
 def _block_means(content: Array) -> Array:
@@ -55,16 +52,16 @@ def _limits(finite: Array) -> tuple[float, float, str]:
     return low if deep else ends[0], high if clips_high else ends[1], beyond
 
 
-def image_of(item: Topography, of: Series, colours: Any, *, label: str = "", lowest: float = 0.0) -> Map:
+def image_of(of: Series, colours: Any, ends: Sequence[Array], *, label: str = "", lowest: float = 0.0) -> Map:
     """Return one quantity over the pixels of a map, with a colour bar.
 
     Parameters
     ----------
-    item : Topography
-        Gives the size of the pixels.
     of : Series
-        The quantity; white where it is undefined.
+        The quantity ``(n, m)``; white where it is undefined.
     colours : str or tuple of str
+    ends : pair of ndarray
+        First and last edge of the pixels along x and along y [m].
     label : str
         Of the colour bar, without a unit; the name of the quantity if empty.
     lowest : float
@@ -72,25 +69,36 @@ def image_of(item: Topography, of: Series, colours: Any, *, label: str = "", low
     """
     reduced = _block_means(of.content)
     low, high, beyond = _limits(reduced[np.isfinite(reduced)])
-    ends: dict[str, Any] = {"low": min(lowest, low), "high": high}
-    bar = PanelAxis(label, of.scale, **ends) if label else PanelAxis.of(of, **ends)
+    limits: dict[str, Any] = {"low": min(lowest, low), "high": high}
+    bar = PanelAxis(label, of.scale, **limits) if label else PanelAxis.of(of, **limits)
+    return Map(ends[0], ends[1], reduced, bar, kind="pixels", colours=colours, extend=beyond, shrink=0.9, pad=0.02)
+
+
+def sides_of(item: Topography) -> tuple[Array, Array]:
+    """Return the ends of a map along x and along y [m]."""
     x, y = (np.array([0.0, float(length)]) for length in item.lengths)
-    return Map(x, y, reduced, bar, kind="pixels", colours=colours, extend=beyond, shrink=0.9, pad=0.02)
+    return x, y
 
 
 def map_panel(item: Topography, of: Series, colours: Any, **more: Any) -> Panel:
     """Return one quantity over a map, in its frame; parameters as for `image_of`."""
-    return framed(image_of(item, of, colours, **more), scale_of("m", item.lengths))
+    return framed(image_of(of, colours, sides_of(item), **more))
 
 
-def framed(image: Map, scale: Scale) -> Panel:
+def framed(image: Map) -> Panel:
     """Return an image in a closed frame with equal axes."""
-    return Panel((image,), *plane(scale), equal=True, grid="", boxed=True)
+    return Panel((image,), *plane(scale_of("m", image.x, image.y)), equal=True, grid="", boxed=True)
 
 
 def heights_of(item: Topography) -> Series:
     """Return the heights above their mean."""
     return series("heights", item.heights - np.nanmean(item.heights))
+
+
+def share_of_map(area: ArrayLike, item: Topography) -> Series:
+    """Return contact areas in per cent of a map."""
+    part = 100.0 * np.ravel(np.asarray(area, dtype=float)) / item.area
+    return Series("part of the map in contact [%]", Word("", "", "part of the map in contact"), part)
 
 
 def cuts_panel(item: Topography) -> Panel:
@@ -150,53 +158,3 @@ def spectrum_sheet(item: Spectrum) -> Sheet:
     """Return a power spectrum."""
     slope = note(f"slope {item.rms_slope:.3g} (root mean square)")
     return Sheet((spectrum_panel([(item, "")]).plus(slope, title="power spectrum"),), width=4.8, height=3.3)
-
-
-class Bounds(NamedTuple):
-    """A shaded band between two curves."""
-
-    low: Array
-    high: Array
-    name: str
-    colour: str
-
-
-def models_panel(
-    along: Series, lines: Sequence[tuple[Series, str]], bounds: Sequence[Bounds] = (), *, label: str = ""
-) -> Panel:
-    """Return one quantity by several models, with bounds.
-
-    Parameters
-    ----------
-    along : Series
-        Abscissa, in any order.
-    lines : sequence of (Series, str)
-        One curve for each model, and its name; empty for a single one.
-    bounds : sequence of Bounds
-    label : str
-        Of the upright axis, without a unit; the name of the first quantity if empty.
-    """
-    order = np.argsort(along.content, kind="stable")
-    contents = np.concatenate([of.content for of, _ in lines])
-    clips_high = spans_decades(along.content)
-    steeper = clips_high and (spans_decades(contents) or (bool(bounds) and bool(np.min(contents) > 0.0)))
-    x = along.content[order]
-    marks: list[Any] = []
-    for one in bounds:
-        marks.append(Area(x, one.low[order], one.high[order], one.colour, 0.2, one.name))
-    for place, (of, name) in enumerate(lines):
-        marks.append(among(place, x, of.content[order], name, most=MOST_MARKED_POINTS))
-    most = float(np.max(contents[np.isfinite(contents)]))
-    if steeper:  # bounds may be far away or infinite
-        low, high = float(np.min(contents[contents > 0.0])) / AXIS_FACTOR, most * AXIS_FACTOR
-    else:
-        shaded = [one.high[np.isfinite(one.high)] for one in bounds]
-        top = max([most, *(float(np.max(part)) for part in shaded if part.size and np.max(part) < AXIS_FACTOR * most)])
-        low, high = 0.0, 1.15 * top
-    first = lines[0][0]
-    scale = middle_scale(along.word.unit, along.content) if clips_high else along.scale
-    across = PanelAxis.of(along, scale, margin=0.04, log=clips_high, plain=clips_high)
-    scale = (middle_scale if steeper else scale_of)(first.word.unit, contents)
-    upright = PanelAxis.of(first, scale, low=low, high=high, log=steeper, plain=steeper)
-    upright = dataclasses.replace(upright, label=label) if label else upright
-    return Panel(tuple(marks), across, upright, legend="best")

@@ -10,18 +10,18 @@ import numpy as np
 from winkler.loading.loads import Angle, ShearForce, Torque
 from winkler.numerics.types import Array
 from winkler.plot import style
+from winkler.plot.curves import curves_panel
 from winkler.plot.dispatch import without_extent
 from winkler.plot.friction.curves import loop_panel
 from winkler.plot.panel import NO_CONTACT, Panel, Sheet, Text, Vectors, note, titled
-from winkler.plot.rough.roughness import framed, image_of, models_panel
-from winkler.plot.series import row_of, scale_of, series, with_unit
+from winkler.plot.rough.roughness import framed, image_of
+from winkler.plot.series import row_of, series, with_unit
 from winkler.problems.profile_pair.rolled_patch import RolledPatch
 from winkler.problems.surface_friction.state import SurfaceShearState
 from winkler.problems.surface_friction.tangential import SurfaceTangentialSolution
 from winkler.problems.surface_rolling.start import SurfaceRollingStartSolution
 from winkler.problems.surface_rolling.state import SurfaceRollingStartState, SurfaceRollingState
 from winkler.problems.surface_rolling.steady import SurfaceRollingSolution
-from winkler.profiles.rough.topography import Topography
 
 FRAME_RATIO = 0.08
 """Rim around the contact in a picture, over its size."""
@@ -58,13 +58,13 @@ def surface_rolling_start_sheet(item: SurfaceRollingStartSolution) -> Sheet:
         lines = [
             (row_of(item, f"{along}_{what}"), label) for along, label in (("longitudinal", "$x$"), ("lateral", "$y$"))
         ]
-        more = [(models_panel(row_of(item, "distance"), lines, label=what), f"{what} over the distance")]
+        more = [(curves_panel(row_of(item, "distance"), lines, label=what), f"{what} over the distance")]
     return _beside_maps(item, more, f"after {with_unit(item.last.distance, 'm')}")
 
 
 def _beside_maps(item: Any, more: list[tuple[Panel, str]], said: str, zones: str = ROLLED_ZONES) -> Sheet:
     """Return stick and slip and the traction of the last state, and panels with their names."""
-    panels = list(traction_maps(item.problem.topography, item.last))
+    panels = list(traction_maps(item.problem.topography.pixel, item.last))
     names = [zones, "traction"] if len(panels) > 1 else ["no contact"]
     shown = titled([*panels, *(panel for panel, _ in more)], *names, *(name for _, name in more))
     title = f"{said};  {100.0 * item.last.stick_share:.3g} % of the contact sticks"
@@ -80,7 +80,7 @@ def _creep_panel(item: SurfaceRollingSolution) -> Panel:
     forces = [
         (row_of(item, word), label) for word, label in (("longitudinal_force", "$F_x$"), ("lateral_force", "$F_y$"))
     ]
-    return models_panel(row_of(item, name), forces, label="creep force")
+    return curves_panel(row_of(item, name), forces, label="creep force")
 
 
 def _loop(item: SurfaceTangentialSolution) -> tuple[Panel, str]:
@@ -109,7 +109,7 @@ class Zones(NamedTuple):
 
 
 def traction_maps(
-    rough: Topography,
+    pixel: tuple[float, float],
     state: SurfaceShearState | SurfaceRollingState | SurfaceRollingStartState | RolledPatch | Zones,
     corner: tuple[float, float] | None = None,
     frame: tuple[slice, slice] | None = None,
@@ -118,8 +118,8 @@ def traction_maps(
 
     Parameters
     ----------
-    rough
-        Lengths of the map.
+    pixel
+        [m].
     state
         What its pixels bear.
     corner
@@ -131,27 +131,21 @@ def traction_maps(
     if not touching.any():
         return (NO_CONTACT,)
     here = sides = frame or frame_of(touching)
-    part, pixel = touching[here], rough.pixel
+    part = touching[here]
     begins = corner or tuple(-0.5 * n * step for n, step in zip(touching.shape, pixel, strict=True))
     starts = [begin + side.start * step for begin, side, step in zip(begins, sides, pixel, strict=True)]
     ends = [np.array([start, start + n * step]) for start, n, step in zip(starts, part.shape, pixel, strict=True)]
-    box = Topography(np.zeros(part.shape), np.array(part.shape) * pixel)
-
-    def image(of: Any, colours: Any, **more: Any) -> Any:
-        return dataclasses.replace(image_of(box, of, colours, **more), x=ends[0], y=ends[1])
-
     slipping = state.slipping[here]
     stuck, slid = (series("pressure", np.where(part & chosen, 1.0, np.nan)) for chosen in (~slipping, slipping))
     traction = state.traction[(slice(None), *here)]
     size = np.hypot(traction[0], traction[1])
     zones = tuple(
-        dataclasses.replace(image(of, (colour,)), place="", alpha=0.55)
+        dataclasses.replace(image_of(of, (colour,), ends), place="", alpha=0.55)
         for of, colour in ((stuck, style.GREEN), (slid, style.ORANGE))
     )
-    scale = scale_of("m", box.lengths)
-    first = framed(zones[0], scale).plus(*zones[1:], *_arrows(traction, size, (starts[0], starts[1]), pixel))
-    traction_image = image(series("traction", np.where(part, size, np.nan)), style.SHADES)
-    return first, framed(dataclasses.replace(traction_image, place="inset"), scale)
+    first = framed(zones[0]).plus(*zones[1:], *_arrows(traction, size, (starts[0], starts[1]), pixel))
+    traction_image = image_of(series("traction", np.where(part, size, np.nan)), style.SHADES, ends)
+    return first, framed(dataclasses.replace(traction_image, place="inset"))
 
 
 def frame_of(touching: Array) -> tuple[slice, slice]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from typing import Any
 
 import numpy as np
@@ -11,8 +10,8 @@ from winkler.plot import style
 from winkler.plot.dispatch import without_extent
 from winkler.plot.friction.curves import loop_panel, path_ends
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, titled, zero
-from winkler.plot.rough.roughness import framed, image_of, map_panel
-from winkler.plot.series import common_scale, row_of, scale_of, series, with_unit
+from winkler.plot.rough.roughness import map_panel
+from winkler.plot.series import common_scale, row_of, series, with_unit
 from winkler.problems.surface_adhesion.adhesion import SurfaceAdhesionSolution
 
 FEWEST_POINTS = 2
@@ -28,15 +27,12 @@ def stuck_sheet(item: SurfaceAdhesionSolution) -> Sheet:
     faint = FAINTEST * float(np.max(np.abs(p), initial=0.0))
     panels: list[Panel] = []
     names: list[str] = []
-    scale = scale_of("m", rough.lengths)
     for name, part, colours in (
         ("tension", np.where(p < -faint, -p, np.nan), style.TENSIONS),
         ("pressure", np.where(p > faint, p, np.nan), style.SHADES),
     ):
         if np.isfinite(part).any():
-            panels.append(
-                framed(dataclasses.replace(image_of(rough, series("pressure", part), colours, label=name)), scale)
-            )
+            panels.append(map_panel(rough, series("pressure", part), colours, label=name))
             names.append(name)
     panels.append(map_panel(rough, series("separation", state.separation), style.SHADES))
     names.append("distance of the surfaces")

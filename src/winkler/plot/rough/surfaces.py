@@ -5,33 +5,32 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 
-from winkler.numerics.types import Array, ArrayLike
+from winkler.numerics.types import Array
 from winkler.plot import style
+from winkler.plot.curves import Bounds, Quantity, curves_panel
 from winkler.plot.dispatch import without_extent
 from winkler.plot.normal.springs import at_first_touch, springs_panel
-from winkler.plot.panel import Bars, Line, Panel, PanelAxis, Sheet, titled
-from winkler.plot.rough.roughness import Bounds, heights_of, image_of, map_panel, models_panel
+from winkler.plot.panel import Bars, Panel, PanelAxis, Sheet, titled
+from winkler.plot.rough.roughness import heights_of, image_of, map_panel, share_of_map, sides_of
 from winkler.plot.series import Series, row_of, series, with_unit
 from winkler.problems.rough.reduce import ReductionSolution
 from winkler.problems.rough.surface_conduction import SurfaceConductionSolution
 from winkler.problems.rough.surface_contact import SurfaceContactSolution
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.topography import Topography
-from winkler.values.vocabulary import Word
 
 FEWEST_LOADS = 2
-ELEMENTS_NAME, LINES_NAME, AREA_LABEL = "boundary elements", "lines of springs", "part of the map in contact [%]"
+ELEMENTS_NAME, LINES_NAME = "boundary elements", "lines of springs"
 """Loads from which there are curves."""
 
 
 def _map_panels(item: Topography, state: SurfaceState) -> tuple[Panel, ...]:
     """Return contact area, pressure and separation."""
     touching = series("pressure", np.where(state.pressure > 0.0, 1.0, np.nan))
-    contact = dataclasses.replace(image_of(item, touching, (style.RED,)), place="")
+    contact = dataclasses.replace(image_of(touching, (style.RED,), sides_of(item)), place="")
     relief = map_panel(item, heights_of(item), style.RELIEFS, label="height $z$", lowest=np.inf)
     pressed = series("pressure", np.where(state.pressure > 0.0, state.pressure, np.nan))
     panels = (
@@ -57,12 +56,6 @@ def _headline(state: SurfaceState) -> str:
     return ";  ".join(parts)
 
 
-def _share(area: ArrayLike, item: SurfaceContactSolution) -> Series:
-    """Return the contact area in per cent of the map."""
-    part = 100.0 * np.ravel(np.asarray(area, dtype=float)) / item.problem.topography.area
-    return Series("area", Word("", "", "part of the map in contact"), part)
-
-
 @without_extent(SurfaceContactSolution)
 def surface_sheet(item: SurfaceContactSolution) -> Sheet:
     """Return the maps of the last load; for many loads also force, stiffness and area."""
@@ -70,11 +63,12 @@ def surface_sheet(item: SurfaceContactSolution) -> Sheet:
         return contact_maps(item)
     panels = list(_map_panels(item.problem.topography, item.last))
     for over, what in (("depth", "force"), ("force", "stiffness"), ("force", "area")):
-        along, of = row_of(item, over), _share(item.area, item) if what == "area" else row_of(item, what)
+        share = share_of_map(item.area, item.problem.topography)
+        along, of = row_of(item, over), share if what == "area" else row_of(item, what)
         finite, panel = np.isfinite(of.content), Panel()
         if finite.any():
             along, of = (dataclasses.replace(one, content=one.content[finite]) for one in (along, of))
-            panel = models_panel(along, [(of, "")], label=AREA_LABEL if what == "area" else "")
+            panel = curves_panel(along, [(of, "")])
         panels.append(panel.plus(title=f"{'contact area' if what == 'area' else what} over {over}"))
     title = f"{'greatest' if _rises(item) else 'last'} load: {_headline(item.last)}"
     return Sheet(tuple(panels), 3, width=4.0, height=3.2, title=title)
@@ -108,11 +102,12 @@ def conduction_sheet(item: SurfaceConductionSolution) -> Sheet:
     elif np.all(full := np.ravel(np.asarray(item.least_resistance, dtype=float))):
         flowing.append((series("conductance", 1.0 / full, type(item)), "full contact"))
     stiffness = [(row_of(item, "stiffness"), ELEMENTS_NAME), (row_of(item, "line_stiffness"), LINES_NAME)]
-    touched, persson = (_share(part, item.contact) for part in (item.contact.area, item.line.area))
+    rough = item.contact.problem.topography
+    touched, persson = (share_of_map(part, rough) for part in (item.contact.area, item.line.area))
     panels = (
-        models_panel(force, stiffness, between(lambda stiffness: stiffness)),
-        models_panel(force, flowing, between(conducting) if item.problem.in_proportion else []),
-        models_panel(force, [(touched, ELEMENTS_NAME), (persson, "Persson, same spectrum")], label=AREA_LABEL),
+        curves_panel(force, stiffness, between(lambda stiffness: stiffness)),
+        curves_panel(force, flowing, between(conducting) if item.problem.in_proportion else []),
+        curves_panel(force, [(touched, ELEMENTS_NAME), (persson, "Persson, same spectrum")]),
     )
     titles = ("stiffness over force", "conductance over force", "contact area over force")
     return Sheet(titled(panels, *titles), width=4.0, height=3.3)
@@ -145,11 +140,8 @@ def reduction_sheet(item: ReductionSolution) -> Sheet:
     d, k = bed.gap(radius), bed.stiffness(radius)
     curves = {"force": k * d - bed.gap_load(radius), "stiffness": k}
     panels = []
-    for (name, content), corner in zip(curves.items(), ("upper left", "lower right"), strict=True):
-        along, of = series("depth", d), series(name, content)
-        look: dict[str, Any] = {"width": 0.0, "marker": "o", "size": 4.0, "name": ELEMENTS_NAME}
-        marks = Line(d, content, name="springs"), Line(item.depth, getattr(item, name), style.RED, **look)
-        axes = PanelAxis.of(along, low=0.0), PanelAxis.of(of, low=0.0)
-        panels.append(Panel(marks, *axes, title=f"{name} over depth", legend=corner))
+    for name, content in curves.items():
+        springs = Quantity(series(name, content), "springs", (item.depth, getattr(item, name)), ELEMENTS_NAME)
+        panels.append(curves_panel(series("depth", d), [springs]).plus(title=f"{name} over depth"))
     panels.append(springs_panel(at_first_touch(bed), bed.reach).plus(title="springs under $g(x)$"))
     return Sheet(tuple(panels), width=3.9, height=3.3)

@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 
 from winkler.plot import style
+from winkler.plot.curves import curves_panel
 from winkler.plot.dispatch import without_extent
-from winkler.plot.friction.curves import energies_panel, lines_panel, loop_panel
+from winkler.plot.friction.curves import energies_panel, loop_panel
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, titled
 from winkler.plot.series import headline, series_of, with_unit
 from winkler.plot.viscoelastic.springs import pressure_panel, recovering_panel
@@ -29,7 +30,7 @@ def path_sheet(item: ViscoelasticSolution) -> Sheet:
     force = series_of(item, "force")
     panels = (
         loop_panel(series_of(item, "depth"), force, float(item.dissipation[-1])),
-        lines_panel(time, [(force, "force")], "force $F_N$"),
+        curves_panel(time, [(force, "")], label="force $F_N$"),
         depth_and_radius(item),
         energies_panel(item, {"dissipation": "lost", "stored_energy": "stored"}, height_factor=1.2),
         recovering_panel(state, item.problem.bed),
@@ -79,8 +80,8 @@ def impact_sheet(item: ViscoelasticImpactSolution) -> Sheet:
     force = series_of(item, "force")
     panels = (
         loop_panel(series_of(item, "depth"), force, float(item.dissipation)),
-        lines_panel(time, [(force, "force")], "force $F_N$"),
-        lines_panel(time, [(series_of(item, "velocity"), "velocity")], "velocity of approach $v$"),
+        curves_panel(time, [(force, "")], label="force $F_N$"),
+        curves_panel(time, [(series_of(item, "velocity"), "")], label="velocity of approach $v$"),
         depth_and_radius(item),
     )
     title = f"restitution $e$ = {item.restitution:.4g}   contact for {with_unit(item.duration, 's')}"

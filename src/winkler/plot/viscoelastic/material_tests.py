@@ -6,7 +6,7 @@ import dataclasses
 
 import numpy as np
 
-from winkler.plot.decades import Quantity, decades_around, decades_panel
+from winkler.plot.curves import Quantity, answered, curves_panel, decades_around
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Sheet, titled
 from winkler.plot.series import series, with_unit
@@ -23,14 +23,11 @@ PANEL_TITLES = {"depth": "depth over time", "radius": "contact radius over time"
 def step_sheet(item: StepSolution) -> Sheet:
     """Return depth and contact radius under a constant force, or the force at a constant depth."""
     names = ("depth", "radius") if isinstance(item.problem, CreepTest) else ("force",)
-    requested = np.asarray(item.time)
-    along = series("time", decades_around(requested, FACTOR_AROUND, POINTS))
+    along = series("time", decades_around(item.time, FACTOR_AROUND, POINTS))
     curve = dataclasses.replace(item.problem, time=along.content).solve()
     panels = []
     for name in names:
-        of = series(name, getattr(curve, name))
-        panel = decades_panel(along, [Quantity(of, points=(requested, np.asarray(getattr(item, name))))])
-        panels.append(panel.plus(title=PANEL_TITLES[name]))
+        panels.append(curves_panel(along, [answered(curve, item, "time", name)]).plus(title=PANEL_TITLES[name]))
     return Sheet(tuple(panels), width=4.6, height=3.3)
 
 
@@ -46,6 +43,6 @@ def harmonic_sheet(item: HarmonicSolution) -> Sheet:
         return Quantity(series(name, np.asarray(getattr(curve, name)), HarmonicSolution), label, points)
 
     pair = [quantity("storage_stiffness", "storage $k'$"), quantity("loss_stiffness", "loss $k''$")]
-    panels = decades_panel(along, pair, "stiffness"), decades_panel(along, [quantity("loss_tangent")])
+    panels = curves_panel(along, pair, label="stiffness"), curves_panel(along, [quantity("loss_tangent")])
     title = f"about $d$ = {with_unit(item.depth, 'm')}   $a$ = {with_unit(item.radius, 'm')}"
     return Sheet(titled(panels, "storage and loss stiffness", "loss over storage"), width=4.6, height=3.3, title=title)

@@ -15,7 +15,7 @@ from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.numerics.springs.exponential_sums import RelaxationSeries, of_relaxation
 from winkler.numerics.types import Array
-from winkler.plot.decades import Quantity, decades_panel
+from winkler.plot.curves import Quantity, curves_panel
 from winkler.plot.dispatch import without_extent
 from winkler.plot.panel import Sheet, note, titled
 from winkler.plot.series import Series, series, with_unit
@@ -92,7 +92,7 @@ def _waves_sheet(item: Any, time: Series, curves: Array, names: tuple[str, ...],
     quantities = [
         Quantity(Series(meaning, Word("", "", meaning), curve), name) for curve, name in zip(curves, names, strict=True)
     ]
-    panel = decades_panel(time, quantities)
+    panel = curves_panel(time, quantities)
     return Sheet(titled((panel,), "creep under waves of pressure"), width=5.2, height=3.6, title=type(item).__name__)
 
 
@@ -129,7 +129,7 @@ def _sheet(
         "creep",
     )
     stored, lost = of(dynamic.real, "", unit, "storage"), of(dynamic.imag, "", unit, "loss")
-    relaxation = decades_panel(time, [Quantity(relaxes, points=points[0])])
+    relaxation = curves_panel(time, [Quantity(relaxes, points=points[0])])
     if relaxation_series.viscosity > 0.0:
         relaxation = relaxation.plus(
             note(f"at once an impulse of {with_unit(relaxation_series.viscosity, 'Pa s')}", "lower left")
@@ -140,8 +140,8 @@ def _sheet(
     ]
     panels = (
         relaxation,
-        decades_panel(time, [Quantity(creeps, points=points[1])]),
-        decades_panel(omega, pair, "modulus" if unit else "part of the moduli"),
+        curves_panel(time, [Quantity(creeps, points=points[1])]),
+        curves_panel(omega, pair, label="modulus" if unit else "part of the moduli"),
     )
     titles = ("relaxation", "creep", "storage and loss")
     return Sheet(titled(panels, *titles), width=3.9, height=3.2, title=type(item).__name__)

@@ -9,20 +9,18 @@ import numpy as np
 
 from winkler.laws.friction import Coulomb
 from winkler.plot import style
-from winkler.plot.decades import Quantity, decades_around, decades_panel
+from winkler.plot.curves import Quantity, answered, curves_panel, decades_around
 from winkler.plot.dispatch import without_extent
 from winkler.plot.friction.curves import (
-    BOUNDS,
     bounds,
     energies_panel,
-    lines_panel,
     loop_panel,
     mirrored_bounds,
     stick_band,
 )
 from winkler.plot.friction.sheets import tangential_sheet, torsion_sheet
 from winkler.plot.panel import NO_CONTACT, Area, Line, Panel, PanelAxis, Rule, Sheet, note, titled
-from winkler.plot.series import common_scale, headline, series, series_of, with_unit
+from winkler.plot.series import common_scale, headline, row_of, series, series_of, with_unit
 from winkler.plot.viscoelastic.contacts import LEAST_FORCE_SHARE, depth_and_radius
 from winkler.plot.viscoelastic.springs import recovering_panel, width_of
 from winkler.problems.friction.tangential import TangentialSolution
@@ -50,16 +48,16 @@ def dragged_sheet(item: TangentialSolution | TorsionSolution) -> Sheet:
     mu = item.problem.law.coefficient
     motion, load, symbol = ("angle", "torque", "$M_z$") if twisted else ("shift", "shear_force", "$F_x$")
     limit = item.torque_limit if isinstance(item, TorsionSolution) else mu * item.force
-    lines = [(series_of(item, load), symbol)]
-    lines += bounds(load, limit, *([BOUNDS[1]] if twisted else [])) if math.isfinite(mu) else []
+    lines = [Quantity(series_of(item, load), symbol)]
+    lines += bounds(load, limit, *(["bound of friction"] if twisted else [])) if math.isfinite(mu) else []
     names = {"friction_loss": "lost to friction", "bulk_loss": "lost in the bodies", "stored_energy": "stored"}
     radii = [(series_of(item, "radius"), "contact"), (series_of(item, "stick_radius"), "stick")]
     force = load.replace("_", " ")
     panels = (
         loop_panel(series_of(item, motion), series_of(item, load)),
-        lines_panel(time, lines, force),
+        curves_panel(time, lines, label=force),
         energies_panel(item, names, height_factor=1.35),
-        lines_panel(time, radii, "radius", low=0.0),
+        curves_panel(time, radii, label="radius"),
         recovering_panel(state, item.problem.bed),
         _loads_panel(state, mu),
     )
@@ -105,19 +103,13 @@ def sliding_sheet(item: SlidingResistanceSolution) -> Sheet:
     requested = np.ravel(np.asarray(item.speed, dtype=float))
     speeds = decades_around(requested, FACTOR_AROUND, POINTS)
     curve = item if requested.size >= POINTS else dataclasses.replace(item.problem, speed=speeds).solve()
-    order = np.argsort(np.ravel(np.asarray(curve.speed)), kind="stable")
-    along = series("speed", np.ravel(np.asarray(curve.speed))[order], type(item))
-
-    def quantity(name: str, label: str = "") -> Quantity:
-        points = (requested, np.ravel(np.asarray(getattr(item, name), dtype=float)))
-        return Quantity(series(name, np.ravel(np.asarray(getattr(curve, name)))[order], type(item)), label, points)
-
-    pair = [quantity("shear_force", "of the body"), quantity("line_shear_force", "of the line of springs")]
+    names = {"shear_force": "of the body", "line_shear_force": "of the line of springs"}
+    pair = [answered(curve, item, "speed", name, label) for name, label in names.items()]
     place = int(np.argmax(np.ravel(np.asarray(curve.coefficient))))
     speed = with_unit(float(np.ravel(np.asarray(curve.speed))[place]), "m/s", 3)
     panels = (
-        decades_panel(along, pair, "resistance $F_x$"),
-        decades_panel(along, [quantity("coefficient")]),
+        curves_panel(row_of(curve, "speed"), pair, label="resistance $F_x$"),
+        curves_panel(row_of(curve, "speed"), [answered(curve, item, "speed", "coefficient")]),
         _trace_panel(curve, place),
     )
     titles = ("resistance", "coefficient", f"load of the springs at {speed}")
@@ -144,7 +136,7 @@ def adhesion_sheet(item: ViscoelasticAdhesionSolution) -> Sheet:
     time = series_of(item, "time")
     opening = np.where(item.crack_speed > 0.0, item.crack_speed, np.nan)
     edge, opens = series("crack_speed", opening, type(item)), bool(np.any(item.crack_speed > 0.0))
-    speed = lines_panel(time, [(edge, "")], "speed of the edge", log=opens)
+    speed = curves_panel(time, [(edge, "")], label="speed of the edge", log=opens)
     panels = (
         loop_panel(series_of(item, "position"), series_of(item, "force"), float(item.dissipation[-1])),
         depth_and_radius(item),

@@ -10,9 +10,10 @@ import numpy as np
 
 from winkler.numerics.types import Array
 from winkler.plot import style
+from winkler.plot.curves import curves_panel
 from winkler.plot.dispatch import without_extent
-from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Sheet, among, titled
-from winkler.plot.series import Series, common_scale, series, series_of, with_unit
+from winkler.plot.panel import Area, Line, Panel, PanelAxis, Rule, Sheet, titled
+from winkler.plot.series import series, series_of, with_unit
 from winkler.problems.line.indentation import LineIndentation
 from winkler.problems.wear.fretting import FrettingSolution
 from winkler.problems.wear.grids import wear_grid
@@ -49,12 +50,13 @@ def fretting_sheet(item: FrettingSolution | LineFrettingSolution) -> Sheet:
     else:
         last, title = "dissipation_per_length", "loss of one cycle"
     both = bool(np.any(getattr(item, f"second_volume{end}") > 0.0))
-    volumes = ("first_volume", "second_volume") if both else ("worn_volume",)
-    radii = [series_of(item, name) for name in (radius, f"stick_{radius}")]
+    volumes = [("first_volume", "first volume"), ("second_volume", "second volume")] if both else [("worn_volume", "")]
+    radii = [(series_of(item, name), name.replace("_", " ")) for name in (radius, f"stick_{radius}")]
+    worn = [(series_of(item, f"{name}{end}"), of) for name, of in volumes]
     below = (
-        over_elapsed(cycles, radii, "half-width" if strip else "radius"),
-        over_elapsed(cycles, [series_of(item, f"{name}{end}") for name in volumes], "worn volume" if both else ""),
-        over_elapsed(cycles, [series_of(item, last)]),
+        curves_panel(cycles, radii, label="half-width" if strip else "radius"),
+        curves_panel(cycles, worn, label="worn volume" if both else ""),
+        curves_panel(cycles, [(series_of(item, last), "")]),
     )
     above = state_panels(item.states, names, "cycles")
     return Sheet((*above, *titled(below, "contact and stick zone", "worn volume", title)), 3, width=3.9)
@@ -67,7 +69,7 @@ def sliding_sheet(item: SlidingSolution | LineSlidingSolution) -> Sheet:
     above = state_panels(item.states, [with_unit(far, "m", 3) for far in item.distance.tolist()], "distance")
     strip = isinstance(item, LineSlidingSolution)
     names = ("half_width", "worn_volume_per_length") if strip else ("radius", "worn_volume")
-    below = (over_elapsed(distance, [series_of(item, name)]) for name in (*names, "mean_pressure"))
+    below = (curves_panel(distance, [(series_of(item, name), "")]) for name in (*names, "mean_pressure"))
     return Sheet((*above, *titled(below, "contact", "worn volume", "mean pressure")), 3, width=3.9)
 
 
@@ -290,25 +292,3 @@ def moment_panels(states: Sequence[WornState], moment: int) -> tuple[Panel, Pane
         across = dataclasses.replace(panel.across, scale=series("r", r).scale, low=0.0, high=reach)
         panels.append(panel.plus(*marks, across=across, upright=upright, legend="best"))
     return panels[0], panels[1], panels[2]
-
-
-def over_elapsed(along: Series, rows: list[Series], label: str = "") -> Panel:
-    """Return quantities of one unit over cycles or distance.
-
-    Parameters
-    ----------
-    along : Series
-        Cycles or distance.
-    rows : list of Series
-    label : str
-        Of the upright axis, if there are several.
-    """
-    scale = common_scale(*rows)
-    looks: tuple[dict[str, Any], ...] = ({"colour": style.BLUE}, {"colour": style.RED, "dash": style.DASHES[1]})
-    lines = [
-        among(place, along.content, row.content, row.name.replace("_", " "), **look)
-        for place, (row, look) in enumerate(zip(rows, looks, strict=False))
-    ]
-    high = 1.12 * max(float(np.max(row.content)) for row in rows) or scale.factor
-    upright = PanelAxis(label, scale, low=0.0, high=high) if label else PanelAxis.of(rows[0], scale, low=0.0, high=high)
-    return Panel(tuple(lines), PanelAxis.of(along), upright, legend="best" if len(rows) > 1 else "")

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any
+import dataclasses
 
 import numpy as np
 
-from winkler.numerics.types import Array
 from winkler.plot import style
+from winkler.plot.curves import curves_panel
 from winkler.plot.dispatch import without_extent
+from winkler.plot.families import in_equal_ratios
 from winkler.plot.panel import Line, Panel, PanelAxis, Sheet, titled
-from winkler.plot.rough.roughness import map_panel
-from winkler.plot.series import Series, scale_of, series, series_of, with_unit
+from winkler.plot.rough.roughness import map_panel, share_of_map
+from winkler.plot.series import scale_of, series, series_of, with_unit
 from winkler.problems.surface_wear.states import SurfaceWearState
 from winkler.problems.surface_wear.wear import SurfaceWearSolution
 from winkler.profiles.rough.topography import Topography
@@ -43,29 +44,6 @@ def _pressure_panel(rough: Topography, state: SurfaceWearState) -> Panel:
     return map_panel(rough, pressed, style.SHADES)
 
 
-def _over_distance(item: SurfaceWearSolution, rows: list[tuple[Series, str]], label: str, *, log: bool) -> Panel:
-    """Return some quantities over the distance slid."""
-    along = series_of(item, "distance")
-    wide = _spread(along.content) > DECADES
-    contents = np.concatenate([of.content for of, _ in rows])
-    finite = contents[np.isfinite(contents)]
-    steep = log and _spread(finite) > DECADES
-    marks = []
-    for (of, name), colour in zip(rows, (style.BLUE, style.RED), strict=False):
-        shown = np.isfinite(of.content) & ((along.content > 0.0) | (not wide)) & ((of.content > 0.0) | (not steep))
-        look: dict[str, Any] = {"marker": "o", "size": 3.5} if along.content.size <= MOST_MARKED else {}
-        marks.append(Line(along.content[shown], of.content[shown], colour, width=1.3, name=name, **look))
-    upright = PanelAxis(label, scale_of(rows[0][0].word.unit, finite), log=steep, margin=0.1)
-    across = PanelAxis("distance $s$", along.scale, log=wide, margin=0.04)
-    return Panel(tuple(marks), across, upright, legend="best" if len(rows) > 1 else "")
-
-
-def _spread(content: Array) -> float:
-    """Return the greatest over the smallest positive number."""
-    positive = content[content > 0.0]
-    return float(np.max(positive) / np.min(positive)) if positive.size else 1.0
-
-
 @without_extent(SurfaceWearSolution)
 def surface_wear_sheet(item: SurfaceWearSolution) -> Sheet:
     """Return heights, worn depth and pressures; of several distances also area, pressures, heights and volume."""
@@ -79,20 +57,20 @@ def surface_wear_sheet(item: SurfaceWearSolution) -> Sheet:
     ]
     names = ["cut through the most worn pixel", f"worn off after {far[1]}", f"pressure after {far[0]}"]
     if item.distance.size >= FEWEST_STATES:
-        share = Series("area", series_of(item, "area").word, 100.0 * item.area / rough.area)
-        panels += [
-            _pressure_panel(rough, item.last),
-            _over_distance(
-                item,
-                [(series_of(item, "peak_pressure"), "greatest"), (series_of(item, "mean_pressure"), "mean")],
-                "pressure",
-                log=True,
-            ),
-            _over_distance(item, [(series_of(item, "rms_height"), "")], "rms height $Sq$", log=False),
-            _over_distance(item, [(series_of(item, "skewness"), "")], "skewness $Ssk$", log=False),
-            _area_panel(item, share),
-            _over_distance(item, [(series_of(item, "worn_volume"), "")], "worn volume $V$", log=True),
-        ]
+        slid = item.distance > 0.0  # decades of distances have no place for the start
+        drawn = np.flatnonzero(slid) if in_equal_ratios(item.distance[slid]) else np.arange(slid.size)
+        pressures = {"peak_pressure": "greatest", "mean_pressure": "mean"}
+        panels.append(_pressure_panel(rough, item.last))
+        for chosen in (pressures, {"rms_height": ""}, {"skewness": ""}, {"area": ""}, {"worn_volume": ""}):
+            rows = [
+                (share_of_map(item.area, rough) if name == "area" else series_of(item, name), label)
+                for name, label in chosen.items()
+            ]
+            distance, *rows = [
+                (dataclasses.replace(of, content=of.content[drawn]), label)
+                for of, label in ((series_of(item, "distance"), ""), *rows)
+            ]
+            panels.append(curves_panel(distance[0], rows, label="pressure" if len(rows) > 1 else ""))
         names += [
             f"pressure after {far[1]}",
             "pressures",
@@ -103,13 +81,3 @@ def surface_wear_sheet(item: SurfaceWearSolution) -> Sheet:
         ]
     title = f"{with_unit(item.last.worn_volume, 'm^3')} worn off after {far[1]} under {with_unit(item.last.force, 'N')}"
     return Sheet(titled(tuple(panels), *names), 3, width=4.0, height=3.2, title=title)
-
-
-def _area_panel(item: SurfaceWearSolution, share: Series) -> Panel:
-    """Return which part of the map touches, over the distance slid."""
-    along = series_of(item, "distance")
-    wide = _spread(along.content) > DECADES
-    shown = (along.content > 0.0) | (not wide)
-    mark = Line(along.content[shown], share.content[shown], style.BLUE, width=1.3, marker="o", size=3.5)
-    across = PanelAxis("distance $s$", along.scale, log=wide, margin=0.04)
-    return Panel((mark,), across, PanelAxis("part of the map in contact [%]", low=0.0, margin=0.1))

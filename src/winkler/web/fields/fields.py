@@ -25,8 +25,6 @@ from winkler.web.form.sliders import STEPS, span_of
 from winkler.web.form.typed import CHOICE, SWITCH, typed
 from winkler.web.pictures.words import symbol_html
 
-__all__ = ["FormFields"]
-
 NONE = "—"
 PLAIN = {
     "problem.bed": "shape and bodies",

@@ -18,8 +18,6 @@ from winkler.web.form.study_form import StudyForm
 from winkler.web.session.files import Files
 from winkler.web.session.upload_folder import CURVES, SAMPLE_CURVES
 
-__all__ = ["draw_curve", "draw_free", "draw_measurement", "show_curve"]
-
 FILE_HINT = (
     "A table with columns such as ‘piezo [nm], force [nN]’, a file of a force microscope, also with a whole force map, "
     "or many files that are fitted one after the other."

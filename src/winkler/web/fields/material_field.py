@@ -11,8 +11,6 @@ from winkler.study.report.markup import safe
 from winkler.web.form.form import FormEntry
 from winkler.web.form.materials_menu import material_lines, tabulated
 
-__all__ = ["draw_material"]
-
 OPTION = """
 <q-item v-bind="props.itemProps" :aria-label="props.opt.label">
   <q-item-section><q-item-label v-text="props.opt.label"></q-item-label></q-item-section>

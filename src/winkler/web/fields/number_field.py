@@ -13,8 +13,6 @@ from winkler.web.form.field_units import completed_text, in_unit, offered_units,
 from winkler.web.form.form import FormEntry
 from winkler.web.form.ranges import EVEN, first_range, takes_range
 
-__all__ = ["UnitMenu"]
-
 POWER = re.compile(r"\de-?\d")
 ITEM = 'role="menuitem"'
 

@@ -10,8 +10,6 @@ from nicegui import ui
 
 from winkler.web.form.form import FormEntry
 
-__all__ = ["BoxMaker", "RangeActions", "complete_when_left", "draw_range_boxes"]
-
 BOXES = {"from": "from", "to": "to", "count": "how many", "values": "values, with commas between"}
 """Name of a box of a range -> its label."""
 

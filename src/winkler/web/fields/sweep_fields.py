@@ -12,8 +12,6 @@ from winkler.web.form.study_form import StudyForm
 from winkler.web.form.sweep_form import DESIGN_LABELS, VariedNumber
 from winkler.web.session.worker import MOST_POINTS
 
-__all__ = ["draw_sweep"]
-
 MEANING = (
     f"Solve for many values of a number, or of several. At most {MOST_POINTS} points here, millions with winkler run."
 )

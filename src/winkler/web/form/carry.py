@@ -22,8 +22,6 @@ from winkler.values.errors import WinklerError
 from winkler.web.form import form
 from winkler.web.form.form import FormEntry, FormPart, Many, Slot
 
-__all__ = ["CarriedStudy", "PutAside", "carried", "content_at", "content_leaves", "is_sound", "leaves", "named_numbers"]
-
 MOST_NAMED, MOST_SHOWN = 6, 12
 """Numbers of an example in the sentence on a change, and in that on the whole study."""
 LOADS, BODIES = ("load", "normal"), ("first", "solid")

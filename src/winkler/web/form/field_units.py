@@ -11,8 +11,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.unit_grammar import unit_of
 from winkler.values.units import comma_readings, quantity
 
-__all__ = ["completed_text", "in_unit", "offered_units", "shown_unit"]
-
 USUAL = (
     *("m", "mm", "um", "nm"),
     *("kN", "N", "mN", "uN", "nN", "pN"),

@@ -15,19 +15,6 @@ from winkler.web.form.sample_curve import METAL_SAMPLE as METAL_SAMPLE_CURVE
 from winkler.web.form.sample_curve import RELAXING_SAMPLE
 from winkler.web.form.typed import field_text
 
-__all__ = [
-    "CURVE",
-    "RELAXES",
-    "FreeNumber",
-    "bounds",
-    "free_numbers",
-    "initial_table",
-    "key_in_words",
-    "model",
-    "model_remark",
-    "numbers_in",
-]
-
 RELAXES = FITTED[-1]
 YIELDS = "plastic_indentation"
 CURVE = "fit.curve"

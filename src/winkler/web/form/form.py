@@ -15,21 +15,6 @@ from winkler.study.language.schema import allowed_in_list, allowed_kinds, hints
 from winkler.values.vocabulary import Word
 from winkler.web.form.typed import field_text
 
-__all__ = [
-    "FormEntry",
-    "FormPart",
-    "Many",
-    "Slot",
-    "at",
-    "choose_kind",
-    "drop",
-    "entry_at",
-    "initial_table",
-    "owner_of",
-    "part_of",
-    "put",
-]
-
 FILE = "file"
 """The key of a file that replaces numbers."""
 SECTION_SENTENCE = re.compile(

@@ -8,8 +8,6 @@ from winkler.study.language.fit_study import FITTED
 from winkler.web.form import fit_form, form
 from winkler.web.form.sample_curve import SAMPLE
 
-__all__ = ["FRONT_EXAMPLES", "QUESTIONS", "FrontExample", "first_table"]
-
 STEEL = {"kind": "elastic", "young": "210 GPa", "poisson": 0.3}
 SECOND = "problem.bed.medium.second"
 

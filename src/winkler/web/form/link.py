@@ -7,8 +7,6 @@ import zlib
 
 from winkler.values.errors import InvalidInput
 
-__all__ = ["LONGEST_LINK", "MOST_TEXT", "code_of", "study_of"]
-
 LONGEST_LINK = 16_000
 """Most letters of a study in an address: longer ones are cut by mail programs and browsers."""
 MOST_TEXT = 2_000_000

@@ -16,8 +16,6 @@ from winkler.values.readable import with_unit
 from winkler.values.units import format_quantity
 from winkler.values.vocabulary import GLOSSARY
 
-__all__ = ["NAMED", "MaterialLine", "material_lines", "material_numbers", "tabulated"]
-
 NAMED = "named_"
 """Beginning of the kinds of bodies that the table of materials gives the numbers of."""
 TABULATED = {

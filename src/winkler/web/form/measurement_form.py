@@ -11,8 +11,6 @@ from winkler.web.form import form
 from winkler.web.form.fit_form import RELAXES
 from winkler.web.form.form import FormEntry
 
-__all__ = ["Choice", "FormGroup", "choices", "groups", "kept"]
-
 CURVE_PARTS = {
     "approach": "the approach",
     "hold": "the approach and the hold",

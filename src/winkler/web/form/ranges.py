@@ -9,19 +9,6 @@ from winkler.web.form.form import FormEntry
 from winkler.web.form.sliders import NUMBER, span_of
 from winkler.web.form.typed import field_text, typed
 
-__all__ = [
-    "EVEN",
-    "LIST",
-    "RATIO",
-    "SPACINGS",
-    "first_range",
-    "is_range",
-    "range_content",
-    "range_texts",
-    "spacing_of",
-    "takes_range",
-]
-
 EVEN, RATIO, LIST = "even", "ratio", "list"
 SPACINGS = {EVEN: "in equal steps", RATIO: "in equal ratios", LIST: "these values"}
 """Spacings with their labels."""

@@ -6,8 +6,6 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["METAL_SAMPLE", "RELAXING_SAMPLE", "SAMPLE", "SAMPLES", "SAMPLE_REMARKS", "sample_curve", "sample_of"]
-
 SAMPLE, RELAXING_SAMPLE, METAL_SAMPLE = "sample_curve.csv", "sample_relaxing_curve.csv", "sample_metal_curve.csv"
 RADIUS, YOUNG, POISSON, NOISE = 5e-6, 4e3, 0.5, 2e-11
 """Of the tip [m], E [Pa] and Poisson's ratio of the gel, and the standard deviation of the force [N]."""

@@ -7,8 +7,6 @@ from collections.abc import Iterator
 
 import numpy as np
 
-__all__ = ["FOLDER_REMARK", "modulus_at", "sample_folder"]
-
 SIDE, STEP = 5, 2e-6
 """Places along either side of the map, and the distance between them [m]."""
 SOFT, STIFF, WIDTH = 2e3, 9e3, 2.5e-6

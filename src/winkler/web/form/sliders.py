@@ -6,8 +6,6 @@ import math
 import re
 from typing import NamedTuple
 
-__all__ = ["STEPS", "Span", "span_of"]
-
 STEPS = 100
 """Steps of a slider to either side of its middle."""
 

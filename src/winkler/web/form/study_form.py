@@ -19,8 +19,6 @@ from winkler.web.form.ranges import is_range, range_content
 from winkler.web.form.sample_curve import SAMPLE, sample_of
 from winkler.web.form.typed import typed
 
-__all__ = ["TASKS", "StudyForm"]
-
 NOTHING = PutAside({}, {})
 UNITS = "fit.units."
 """Beginning of the keys of units of columns."""

@@ -10,17 +10,6 @@ from winkler.web.form.fit_form import key_in_words, numbers_in
 from winkler.web.form.form import FormEntry
 from winkler.web.form.ranges import EVEN, RATIO, SPACINGS, first_range, range_content, range_texts, spacing_of
 
-__all__ = [
-    "VariedNumber",
-    "add",
-    "change_design",
-    "design_entries",
-    "design_kind",
-    "remove_key",
-    "rows",
-    "set_range",
-]
-
 DESIGN_LABELS = {
     "crossed": "every combination",
     "zipped": "together, one after the other",

@@ -11,8 +11,6 @@ from winkler.study.language.fit_study import FITTED
 from winkler.study.language.reading import parsed
 from winkler.web.form import form
 
-__all__ = ["assumed_in", "taken", "with_assumed"]
-
 ASSUMED = "# of an example, given by nobody: "
 """Beginning of the last line of a study that is kept in an address."""
 

@@ -9,8 +9,6 @@ from typing import Any
 from winkler.study.language.template import inline
 from winkler.values.units import comma_readings
 
-__all__ = ["CHOICE", "SWITCH", "field_text", "typed"]
-
 TEXT, SWITCH, CHOICE = "text", "true or false", "one of "
 """Types of keys as named by `winkler.study.language.explain`."""
 GROUPED = re.compile(r"\d,0\d\d(?!\d)")

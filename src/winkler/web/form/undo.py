@@ -5,8 +5,6 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 
-__all__ = ["UndoStates"]
-
 TOGETHER = 1.0
 """Changes of values in less than this are one step, as those of a slider that moves [s]."""
 MOST_STATES = 200

@@ -11,8 +11,6 @@ from winkler.web.page.visitors import Visitors
 from winkler.web.session.security import Security
 from winkler.web.session.upload_folder import LARGEST
 
-__all__ = ["assemble"]
-
 FRAME = 10_000
 """Greatest length of the form of an upload besides the file [bytes]."""
 

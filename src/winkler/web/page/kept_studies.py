@@ -16,8 +16,6 @@ from winkler.web.form.sample_curve import SAMPLES
 from winkler.web.form.undo import UndoStates
 from winkler.web.session.upload_folder import SAMPLE_CURVES, UploadFolder, files_in
 
-__all__ = ["KeptStudies"]
-
 STUDY = "study.toml"
 MOST_KEPT_FILES = 500_000
 """Most bytes of uploaded files that are kept for a reload."""

@@ -37,8 +37,6 @@ from winkler.web.session.solver import Solver, Worker, no_process
 from winkler.web.session.upload_folder import CURVES, SAMPLE_CURVES, UploadFolder, keep_samples
 from winkler.web.session.worker import Done, Export, Inspect, Look, Progress, Solve, Wrong
 
-__all__ = ["Page", "style"]
-
 SHOWN_SECTIONS = ("title", "problem", "fit", "sweep", "source", "grade")
 """Sections of a study that the form shows, or that need no display."""
 FOLDER = Path(__file__).parent

@@ -15,8 +15,6 @@ from winkler.study.language.fit_study import FITTED
 from winkler.study.report.markup import safe
 from winkler.web.form.study_form import TASKS, StudyForm
 
-__all__ = ["Question"]
-
 OPTION = """
 <q-item v-bind="props.itemProps" :aria-label="props.opt.label">
   <q-item-section><q-item-label v-text="props.opt.label"></q-item-label></q-item-section>

@@ -12,8 +12,6 @@ from winkler.web.pictures.comparison import comparison
 from winkler.web.pictures.replies import AnswerText, DrawnSheet, InteractivePicture, MomentComplete
 from winkler.web.session.batch import Progress
 
-__all__ = ["Result", "caption"]
-
 STEP = 0.12
 """Time between two frames of an animation [s]."""
 FRAMES = 60

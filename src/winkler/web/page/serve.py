@@ -13,8 +13,6 @@ from winkler.web.session.security import origin_of
 from winkler.web.session.standby import Standby
 from winkler.web.session.uploads import uploads
 
-__all__ = ["HOST", "WithoutCancelled", "serve"]
-
 HOST = "127.0.0.1"
 """Reachable only from the local machine."""
 

@@ -8,8 +8,6 @@ from winkler.web.page.result import Result
 from winkler.web.session.requests import RequestQueue
 from winkler.web.session.solver import Solver, no_process
 
-__all__ = ["Stopping"]
-
 
 class Stopping:
     """Stops the requests of a page.

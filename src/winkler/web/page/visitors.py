@@ -16,8 +16,6 @@ from nicegui import Client, context, ui
 from winkler.web.page.page import Page, style
 from winkler.web.session.standby import Standby
 
-__all__ = ["Visitors"]
-
 REST = 3.0
 """Time after a page was made until the process of the next one is started [s]."""
 

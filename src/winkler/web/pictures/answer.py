@@ -40,8 +40,6 @@ from winkler.web.pictures.springs import moment_springs
 from winkler.web.pictures.view import NO_VIEW, View, fitting, of_history
 from winkler.web.pictures.words import text_plain
 
-__all__ = ["Scene", "answer_text", "has_sheets", "method_pictures", "pictures", "scene", "sheet_of", "sheets"]
-
 
 class Scene(NamedTuple):
     """The data of the pictures of one moment.

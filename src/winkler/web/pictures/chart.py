@@ -27,8 +27,6 @@ from winkler.plot.panel import (
 from winkler.web.pictures.pixels import arrow_lines, heat_map
 from winkler.web.pictures.words import text_html
 
-__all__ = ["CONFIG", "Chart", "chart"]
-
 Chart = dict[str, Any]
 """``data`` and ``layout`` of a figure."""
 

@@ -19,8 +19,6 @@ from winkler.web.pictures.replies import NamedNumber
 if TYPE_CHECKING:
     from winkler.study.batch.outcome import Outcome
 
-__all__ = ["comparison", "numbers_of"]
-
 MOST_DIFFERENCES = 12
 """Most differences of two studies that are listed."""
 NO_INPUTS = ("title", "source")

@@ -10,8 +10,6 @@ from winkler.study.batch.points import SolvedPoint
 from winkler.study.report.markup import safe, section
 from winkler.web.pictures.frames import frames_of
 
-__all__ = ["with_film"]
-
 MOST_FRAMES = 12
 DOTS_PER_INCH, COLOURS = 72, 32
 """Of a frame: a dozen of them take less than 300 kB of the page."""

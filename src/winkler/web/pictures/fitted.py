@@ -39,8 +39,6 @@ from winkler.web.pictures.packing import packed
 from winkler.web.pictures.replies import AnswerText, DrawnSheet, InteractivePicture, NamedNumber
 from winkler.web.pictures.view import fitting
 
-__all__ = ["curve_names", "drawn_points", "fit_pictures", "fit_sheets", "fit_text"]
-
 MOST_POINTS = 3000
 """Most drawn points of a curve, evenly spaced."""
 CURVE_CAPTION = (

@@ -25,8 +25,6 @@ from winkler.web.pictures.moments import Moments, bed_of, contact_at, moments_of
 from winkler.web.pictures.springs import moment_springs
 from winkler.web.pictures.view import View, fitting
 
-__all__ = ["frames_of"]
-
 SPRINGS = "springs"
 """Title of their panel, which keeps its frame by itself."""
 BEYOND = 0.05

@@ -20,9 +20,6 @@ from winkler.study.language.explain import plain_symbol
 from winkler.study.report.headline.shown_contact import shown_contact
 from winkler.values.readable import with_unit
 
-__all__ = ["Moments", "bed_of", "contact_at", "initial_moment", "labels_of", "moments_of"]
-
-
 ALONG_HISTORIES = ("time", "cycle", "distance")
 """What a history goes along, the first of these that was computed."""
 

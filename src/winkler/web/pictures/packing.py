@@ -9,8 +9,6 @@ import orjson
 
 from winkler.web.pictures.chart import Chart
 
-__all__ = ["packed"]
-
 
 def packed(chart: Chart) -> str:
     """Return a figure as JSON, its numbers in single precision."""

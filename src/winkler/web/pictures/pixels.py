@@ -9,8 +9,6 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.plot.marks import Map, Vectors
 
-__all__ = ["arrow_lines", "heat_map"]
-
 HEAD, OPENING = 0.35, 0.45
 """Length of the head of an arrow over its shaft, and half of its angle [rad]."""
 SHAFT = 0.8

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-__all__ = ["AnswerText", "DrawnSheet", "File", "InspectedFile", "InteractivePicture", "MomentComplete", "NamedNumber"]
-
 
 class NamedNumber(NamedTuple):
     """One number of an answer: name, LaTeX symbol, unit, and the number in SI units."""

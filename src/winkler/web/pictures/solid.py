@@ -18,8 +18,6 @@ from winkler.plot.series import with_unit
 from winkler.web.pictures.chart import Chart
 from winkler.web.pictures.view import View
 
-__all__ = ["draw_solid"]
-
 RINGS, SECTORS = 18, 24
 """Radial steps, and angular steps of both the cut and the remaining sector."""
 HALF_CUT_ANGLE = math.radians(80.0)

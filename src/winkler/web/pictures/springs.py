@@ -14,8 +14,6 @@ from winkler.plot.viscoelastic.springs import recovering_panel
 from winkler.problems.answer import is_dragged, is_recovering
 from winkler.web.pictures.view import View
 
-__all__ = ["moment_springs"]
-
 
 def moment_springs(state: Any, bed: Bed, view: View) -> Panel:
     """Return the springs of a contact at one moment.

@@ -10,8 +10,6 @@ import numpy as np
 
 from winkler.plot.extent import around
 
-__all__ = ["NO_VIEW", "View", "fitting", "of_history"]
-
 MOST_SHRINKAGE = 3.0
 """A frame is kept until it exceeds its contents by this factor."""
 

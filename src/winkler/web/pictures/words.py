@@ -6,8 +6,6 @@ import re
 
 from winkler.study.language.explain import plain_symbol
 
-__all__ = ["symbol_html", "text_html", "text_plain"]
-
 
 def symbol_html(symbol: str) -> str:
     r"""Return a LaTeX symbol as HTML: italic letters, subscripts and superscripts.

@@ -9,8 +9,6 @@ if TYPE_CHECKING:
     from winkler.study.batch.fit_outcome import FitOutcome
     from winkler.study.language.fit_study import FitStudy
 
-__all__ = ["Progress", "fitted_batch"]
-
 
 class Progress(NamedTuple):
     """Number of solved points of a sweep or of a path, or of fitted curves."""

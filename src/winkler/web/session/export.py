@@ -14,8 +14,6 @@ from winkler.study.report.page_parts import REPORT
 from winkler.values.errors import InvalidInput
 from winkler.web.pictures.replies import File
 
-__all__ = ["exported"]
-
 
 def exported(outcome: Outcome | FitOutcome, what: str, assumed: str = "") -> File:
     """Return results as a file.

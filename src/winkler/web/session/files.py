@@ -13,8 +13,6 @@ from winkler.study.language.reading import parsed
 from winkler.values.errors import WinklerError
 from winkler.web.session.upload_folder import CURVES, LARGEST, UploadFolder, files_in
 
-__all__ = ["Files"]
-
 EXPORTS = (
     ("study", "Study file", "description"),
     ("csv", "CSV", "table_view"),

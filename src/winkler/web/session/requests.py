@@ -8,8 +8,6 @@ from typing import Any
 from winkler.web.pictures.replies import File, InspectedFile, MomentComplete
 from winkler.web.session.worker import Done, Progress, Wrong
 
-__all__ = ["RequestQueue"]
-
 MakeRequest = Callable[[int], Any]
 """Builds a request from its number."""
 

@@ -17,8 +17,6 @@ from urllib.parse import urlsplit
 
 from winkler.values.errors import InvalidInput
 
-__all__ = ["Security", "origin_of"]
-
 Scope = MutableMapping[str, Any]
 Receive = Callable[[], Awaitable[MutableMapping[str, Any]]]
 Send = Callable[[MutableMapping[str, Any]], Awaitable[None]]

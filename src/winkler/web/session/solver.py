@@ -15,8 +15,6 @@ from typing import Any, NamedTuple, Protocol
 from winkler.io.foreign import reason_of
 from winkler.web.session.worker import Done, Halt, Solve, work
 
-__all__ = ["Solver", "Worker", "no_process", "started"]
-
 
 class Worker(NamedTuple):
     """A process, and the pipe to it."""
@@ -52,7 +50,8 @@ def _interrupts_held() -> Iterator[None]:
 class ReplyReceiver(Protocol):
     """Receives a reply, and whether it belongs to the newest request."""
 
-    def __call__(self, reply: Any, *, newest: bool) -> None: ...
+    def __call__(self, reply: Any, *, newest: bool) -> None:
+        """Take a reply."""
 
 
 class Solver:

@@ -7,8 +7,6 @@ import contextlib
 from winkler.web.session import solver
 from winkler.web.session.solver import Worker
 
-__all__ = ["Standby"]
-
 
 class Standby:
     """At most one worker that waits for a page."""

@@ -17,8 +17,6 @@ from winkler.values.errors import InvalidInput
 from winkler.web.form.sample_curve import SAMPLE, SAMPLES
 from winkler.web.form.sample_folder import sample_folder
 
-__all__ = ["CURVES", "LARGEST", "SAMPLE_CURVES", "UploadFolder", "files_in", "keep_samples", "plain_name"]
-
 LARGEST = 20_000_000
 """Greatest size of an upload [bytes]."""
 CURVE_KEY = "fit.curve"

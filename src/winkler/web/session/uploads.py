@@ -19,8 +19,6 @@ from winkler.io.processes.locking import lock
 from winkler.io.processes.stopping import deferred_signals
 from winkler.values.errors import InvalidInput
 
-__all__ = ["uploads"]
-
 PREFIX = "winkler-uploads-"
 LOCK = "lock"
 ATTEMPTS = 5

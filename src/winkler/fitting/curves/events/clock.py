@@ -14,8 +14,6 @@ import numpy as np
 from winkler.fitting.curves.events.record import Record, deviation
 from winkler.numerics.types import Array
 
-__all__ = ["ClockOffset", "clock_offset_of", "is_certain"]
-
 FEWEST_POINTS, MOST_POINTS = 8, 40
 """Points on each side of a kink."""
 MOST_LATE = 150

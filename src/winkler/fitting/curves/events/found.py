@@ -20,18 +20,6 @@ from winkler.fitting.curves.segments import Segment, SegmentKind
 from winkler.numerics.types import Array
 from winkler.values.readable import with_unit
 
-__all__ = [
-    "Drag",
-    "Tension",
-    "clock_offset_in",
-    "drag_in",
-    "events_of",
-    "free_points",
-    "interference_in",
-    "kept_points",
-    "tension",
-]
-
 KEPT_FREE_SHARE = 0.92
 """Part of the free travel in which interference and drag are sought: attraction bends the rest."""
 LEAST_DRAG_RATIO = 6.0

@@ -13,8 +13,6 @@ import numpy as np
 from winkler.fitting.curves.events.record import Record, deviation, moving_mean
 from winkler.numerics.types import Array
 
-__all__ = ["FEWEST_FREE", "FreeBranch", "FreeParts", "free_branch", "free_parts"]
-
 FEWEST_FREE = 10
 MOST_SPLITS = 100
 """Most trial ends of the line."""

@@ -17,8 +17,6 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.values.value import value, words
 
-__all__ = ["Interference", "interference_of"]
-
 FEWEST = 30
 LEAST_PERIODS, POINTS_PER_PERIOD = 2.0, 4.0
 """Fewest periods over the free travel, and fewest points in a period of one direction."""

@@ -9,8 +9,6 @@ from enum import Enum
 from winkler.values.readable import scale_of, with_unit
 from winkler.values.value import value, words
 
-__all__ = ["CurveEvent", "CurveEvents", "EventKind", "confidence_of", "with_error"]
-
 
 class EventKind(Enum):
     """Kinds of events."""

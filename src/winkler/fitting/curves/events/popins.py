@@ -12,8 +12,6 @@ from winkler.fitting.curves.events.steps import Step, found_steps
 from winkler.fitting.curves.medians import median
 from winkler.numerics.types import Array
 
-__all__ = ["PopIn", "pop_ins"]
-
 NEIGHBOURS = 12
 """Points on each side by which the two signals of a step are compared."""
 MOST_FORCE_SHARE = 0.3

@@ -11,8 +11,6 @@ from winkler.fitting.curves.medians import median
 from winkler.fitting.curves.segments import Segment, segments_of
 from winkler.numerics.types import Array
 
-__all__ = ["MAD_TO_SIGMA", "Record", "deviation", "moving_mean"]
-
 MAD_TO_SIGMA = 1.4826
 """Standard deviation of Gaussian noise over its median absolute deviation."""
 

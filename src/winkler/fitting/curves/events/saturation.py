@@ -6,8 +6,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["saturated_rows"]
-
 FEWEST_EQUAL_POINTS = 5
 LEAST_EQUAL_TRAVEL = 0.01
 LEAST_TENSION_SHARE = 0.05

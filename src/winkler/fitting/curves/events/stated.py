@@ -9,8 +9,6 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput, suggest
 
-__all__ = ["FREE", "MARKS", "NOTHING", "stated_marks"]
-
 NOTHING, FREE = 0.0, 1.0
 MARKS = {"baseline": FREE, "pop-in": 2.0, "snap-in": 3.0, "pull-off": 4.0}
 """Events that can be stated, and their marks in `ForceCurve.marks`."""

@@ -20,8 +20,6 @@ from winkler.fitting.curves.events.record import MAD_TO_SIGMA
 from winkler.fitting.curves.medians import median
 from winkler.numerics.types import Array
 
-__all__ = ["Step", "found_steps"]
-
 WIDTHS = (3, 6, 12, 24)
 """Numbers w of neighbours on each side."""
 FEWEST_WIDTHS = 6
