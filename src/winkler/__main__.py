@@ -6,8 +6,6 @@ the process at once, without a traceback.
 
 import sys
 
-__all__ = ["main"]
-
 
 def main() -> int:
     """Run the command of this process and end it with its exit code, which is returned after an interrupt alone."""

@@ -98,10 +98,6 @@ def test_the_search_for_tricks_finds_them():
     assert tricks(ast.walk(ast.parse(fine))) == []
 
 
-LISTED = ("cli/", "exporting/", "fitting/", "foundation/", "io/", "media/", "numerics/", "plot/", "problems/line", "problems/rollers/", "study/", "web/")
-"""Packages without lists of names: `__all__` stands where a module passes on names of others."""
-
-
 def names_listed(text: str) -> tuple[set[str], set[str]]:
     """Return what `__all__` of a module names, and what the module defines."""
     listed: set[str] = set()
@@ -119,12 +115,14 @@ def names_listed(text: str) -> tuple[set[str], set[str]]:
 
 
 def test_no_list_repeats_the_names_of_a_module(pages):
-    """Of 1,453 names in such lists 207 were read by no other module, and 48 others that were read stood in none."""
+    """Of 1,453 names in such lists 207 were read by no other module, and 48 others that were read stood in none.
+
+    `__all__` stands where a module passes on names of others, and in what the compiled calculators are a digest of.
+    """
     bad = []
     for page in pages:
-        if page.name.startswith(LISTED):
-            listed, defined = names_listed(page.text)
-            bad += [page.name] if listed and listed <= defined else []
+        listed, defined = names_listed(page.text)
+        bad += [page.name] if listed and listed <= defined and not page.name.startswith("calculators/") else []
     assert bad == []
 
 

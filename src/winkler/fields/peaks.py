@@ -22,8 +22,6 @@ from winkler.values.value import value
 if TYPE_CHECKING:
     from winkler.problems.friction.torsion_states import TorsionState
 
-__all__ = ["PeakStress", "PlacedStress", "peak_stress"]
-
 LEAST_JUMP_RATIO = 1e-9
 """Jump of the springs at the edge over their greatest displacement that is rounding."""
 LEAST_DEPTH_RATIO = 1e-3

@@ -31,8 +31,6 @@ from winkler.values.checks.outline import refuse_unless_round
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.value import value, words
 
-__all__ = ["Staircase", "staircase"]
-
 PAIRS_PER_CHUNK = 1 << 20
 """Largest number of pairs of places and punches at once."""
 

@@ -35,17 +35,6 @@ if TYPE_CHECKING:
     from winkler.problems.friction.torsion_fields import TwistedFields
     from winkler.problems.friction.torsion_states import TorsionState
 
-__all__ = [
-    "SubsurfaceFields",
-    "SurfaceFields",
-    "below_surface",
-    "is_twisted",
-    "restore",
-    "restore_body",
-    "restore_shift",
-    "springs_of",
-]
-
 FIELD_ADVICE = "the field"
 
 

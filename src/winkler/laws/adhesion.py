@@ -14,8 +14,6 @@ from winkler.values.checks.number_checks import NON_NEGATIVE, POSITIVE, Advice, 
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["AdhesionLaw", "DerjaguinMullerToporov", "Dugdale", "ShortRange"]
-
 NOT_STATED = float("nan")
 """Marks a work of adhesion that was left out; recognised by identity, so that no other nan passes."""
 

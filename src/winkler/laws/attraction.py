@@ -13,8 +13,6 @@ from winkler.laws.adhesion import NO_ATTRACTION_ADVICE
 from winkler.values.checks.number_checks import Positive
 from winkler.values.value import value, words
 
-__all__ = ["ExponentialAttraction", "LennardJones"]
-
 
 @value
 class ExponentialAttraction:

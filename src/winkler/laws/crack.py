@@ -23,8 +23,6 @@ from winkler.values.checks.number_checks import Number, Positive
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["CrackLaw", "RateDependentWork", "SaturatingWork"]
-
 SMALLEST_EXPONENT = 1e-3
 """Of the exponents: below it the speed is zero or beyond all floating-point numbers, at works that hardly differ."""
 

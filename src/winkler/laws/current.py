@@ -18,8 +18,6 @@ from winkler.values.checks.number_checks import Advice, NonNegative, Positive
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value
 
-__all__ = ["Current", "Drive", "Voltage", "WiedemannFranz"]
-
 
 @value
 class Current:

@@ -8,8 +8,6 @@ from typing import Annotated
 from winkler.values.checks.number_checks import POSITIVE_OR_INFINITE, NonNegative
 from winkler.values.value import value, words
 
-__all__ = ["SurfaceFilm", "ThermalInterface"]
-
 
 @value
 class SurfaceFilm:

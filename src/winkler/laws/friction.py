@@ -14,8 +14,6 @@ from winkler.values.checks.number_checks import Number, PositiveNotTiny
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["Coulomb", "Friction", "Overcome", "Sliding", "StaticKinetic"]
-
 
 @value
 class Coulomb:

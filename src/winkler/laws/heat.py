@@ -9,8 +9,6 @@ from __future__ import annotations
 from winkler.values.checks.number_checks import Fraction
 from winkler.values.value import value
 
-__all__ = ["EqualMaximum", "EqualMean", "FixedShare", "HeatPartition"]
-
 
 @value
 class EqualMaximum:

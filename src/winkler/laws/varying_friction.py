@@ -23,16 +23,6 @@ from winkler.values.checks.number_checks import Positive, PositiveNotTiny
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = [
-    "ExponentialSlipWeakening",
-    "FallingFriction",
-    "LinearSlipWeakening",
-    "Rolled",
-    "SlipWeakening",
-    "Slipped",
-    "greatest_coefficient",
-]
-
 STATIC_WORD = (r"\mu_s", "", "friction coefficient of points that have not slipped")
 KINETIC_WORD = (r"\mu_k", "", "friction coefficient after much slip")
 DISTANCE_WORD = ("D", "m", "slip over which the friction coefficient falls")

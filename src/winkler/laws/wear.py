@@ -20,8 +20,6 @@ from winkler.values.checks.number_checks import POSITIVE
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["Archard", "OwnWear", "PairWear", "Unworn", "WearLaw", "worn_by"]
-
 
 @value
 class Archard:

@@ -20,27 +20,6 @@ from winkler.values.checks.number_checks import (
 )
 from winkler.values.value import value, words
 
-__all__ = [
-    "Angle",
-    "Depth",
-    "Force",
-    "HalfWidth",
-    "Lateral",
-    "LineForce",
-    "LineOfAction",
-    "LineShearForce",
-    "Load",
-    "MeanPressure",
-    "Moment",
-    "NominalPressure",
-    "Normal",
-    "Radius",
-    "ShearForce",
-    "Shift",
-    "Tilt",
-    "Torque",
-]
-
 
 @value
 class Force(PerLoad[Q]):

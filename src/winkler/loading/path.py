@@ -35,19 +35,6 @@ from winkler.values.checks.number_checks import Numbers
 from winkler.values.errors import InvalidInput
 from winkler.values.value import frozen_array, value
 
-__all__ = [
-    "SWING",
-    "OneLoad",
-    "OneNormal",
-    "OnePositiveLineForce",
-    "OnePositiveLineSwing",
-    "OnePositiveNormal",
-    "OnePositiveSwing",
-    "Path",
-    "load_number",
-    "numbers_of",
-]
-
 POINTS_PER_CYCLE = 40
 """Points of one oscillation."""
 

@@ -19,8 +19,6 @@ from winkler.values.checks.number_checks import Count, Finite, NonNegative, Posi
 from winkler.values.limits import PATH_POINTS
 from winkler.values.value import value, words
 
-__all__ = ["Circle", "Follow", "Hold", "Oscillate", "PathRows", "Ramp", "Start", "Step", "Unchanged"]
-
 
 class PathRows(NamedTuple):
     """Points after the present one: seconds since then, loads ``(points,)`` and ``(points, 2)``."""

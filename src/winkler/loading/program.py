@@ -16,8 +16,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.limits import PATH_POINTS
 from winkler.values.value import value
 
-__all__ = ["Program"]
-
 
 @value
 class Program(Path):

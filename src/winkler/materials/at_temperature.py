@@ -8,8 +8,6 @@ from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.values.checks.number_checks import Positive
 from winkler.values.value import value, words
 
-__all__ = ["AtTemperature"]
-
 
 @value
 class AtTemperature(ViscoelasticSolid):

@@ -9,18 +9,6 @@ from winkler.values.checks.number_checks import Positive, PositiveNotTiny
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = [
-    "ConductingBody",
-    "Conductor",
-    "Plated",
-    "Rod",
-    "bulk_of",
-    "layers_of",
-    "parts_of",
-    "resistivity_of",
-    "surface_of",
-]
-
 Conductor = ElectricalConductor | ThermalConductor
 """What a body may be made of."""
 

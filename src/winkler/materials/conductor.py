@@ -7,8 +7,6 @@ import math
 from winkler.values.checks.number_checks import POSITIVE, NonNegative, Positive, PositiveOrInfinite, checked
 from winkler.values.value import value
 
-__all__ = ["ElectricalConductor", "ThermalConductor"]
-
 
 @value
 class ElectricalConductor:

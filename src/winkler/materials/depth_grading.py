@@ -27,8 +27,6 @@ from winkler.values.checks.number_checks import (
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["DepthGrading", "ExponentialGrading", "SigmoidalGrading", "TabulatedGrading"]
-
 
 @offered("a grading: ExponentialGrading, SigmoidalGrading or TabulatedGrading")
 class DepthGrading(Protocol):

@@ -8,8 +8,6 @@ from winkler.values.checks.number_checks import Finite, PoissonRatio, PositiveNo
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value
 
-__all__ = ["RIGID", "Elastic", "Rigid", "Solid", "TransverselyIsotropic"]
-
 
 @value
 class Elastic:

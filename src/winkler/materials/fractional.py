@@ -22,8 +22,6 @@ from winkler.values.errors import InvalidInput, NotConverged
 from winkler.values.limits import LEAST_STEP_RATIO
 from winkler.values.value import value, words
 
-__all__ = ["FractionalZener", "PowerLawSolid"]
-
 TERM_SPACINGS = (1.6, 1.2, 0.9, 0.7, 0.5, 0.35, 0.25, 0.18, 0.12)
 """Distances of the terms in ln s, tried one after the other."""
 SPAN_SAMPLES = 400

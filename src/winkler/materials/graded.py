@@ -16,9 +16,6 @@ from winkler.values.checks.number_checks import Number, PoissonRatio, PositiveNo
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["PowerLawGraded"]
-
-
 FINITE_DEPTH = Number(
     "a surface under load has a finite depth only for exponents above -1 and below 1", -1.0, 1.0, excluded=(-1.0,)
 )

@@ -12,8 +12,6 @@ from winkler.numerics.types import Array
 from winkler.values.checks.number_checks import Number, PositiveNotTiny
 from winkler.values.value import value, words
 
-__all__ = ["Hardening", "LinearHardening", "PowerHardening"]
-
 
 @value
 class LinearHardening(Elastic):

@@ -8,9 +8,6 @@ from winkler.materials.elastic import Elastic, TransverselyIsotropic
 from winkler.values.checks.number_checks import Advice, PositiveNotTiny
 from winkler.values.value import value, words
 
-__all__ = ["Layer", "StackLayer"]
-
-
 BUILT_ELASTIC = Advice(
     "a layer that relaxes is a ViscoelasticLayer(solid, thickness) of a ViscoelasticCoatedHalfSpace; if all parts "
     "relax in proportion, build the body of elastic layers, and give RelaxingInProportion(medium, solid, shear)"

@@ -15,18 +15,6 @@ from winkler.materials.elastic import Elastic
 from winkler.values.errors import InvalidInput, suggest
 from winkler.values.value import value, words
 
-__all__ = [
-    "NamedElastic",
-    "NamedElectricalConductor",
-    "NamedMaterial",
-    "NamedThermalConductor",
-    "TabulatedProperty",
-    "material",
-    "material_names",
-    "materials_called",
-    "other_names",
-]
-
 TABLE_FILE = "materials.toml"
 
 SHORE = re.compile(r"(?:rubber )?shore ?([ad]) ?(\d+(?:\.\d+)?)")

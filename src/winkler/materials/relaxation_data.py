@@ -21,8 +21,6 @@ from winkler.values.checks.number_checks import POSITIVE, Advice, Numbers, Poiss
 from winkler.values.limits import MEASURED_TIMES
 from winkler.values.value import value, words
 
-__all__ = ["CreepData", "DynamicData", "RelaxationData"]
-
 FEWEST_ROWS = 4
 ROUNDING_RATIO = 1e-13
 """Terms that carry less than this part of every number were left over by rounding."""

@@ -8,8 +8,6 @@ from winkler.materials.viscoelastic import ViscoelasticSolid
 from winkler.values.checks.number_checks import Advice, PositiveNotTiny
 from winkler.values.value import value
 
-__all__ = ["ViscoelasticLayer"]
-
 
 @value
 class ViscoelasticLayer:

@@ -9,8 +9,6 @@ from winkler.numerics.springs.exponential_sums import RelaxationSeries
 from winkler.values.checks.number_checks import PoissonRatio, Positive
 from winkler.values.value import value
 
-__all__ = ["KelvinVoigt", "Maxwell", "StandardSolid"]
-
 
 @value
 class KelvinVoigt(ViscoelasticSolid):

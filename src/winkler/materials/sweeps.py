@@ -13,8 +13,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.limits import MEASURED_TIMES
 from winkler.values.value import value, words
 
-__all__ = ["DynamicSweeps", "RelaxationSweeps", "RowsOfOneLength"]
-
 FEWEST_ROWS = 4
 ROWS = Numbers(POSITIVE, FEWEST_ROWS, MEASURED_TIMES)
 

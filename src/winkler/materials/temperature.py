@@ -8,8 +8,6 @@ from winkler.values.checks.number_checks import POSITIVE, Positive, checked
 from winkler.values.errors import OutsideValidity
 from winkler.values.value import value
 
-__all__ = ["Arrhenius", "WilliamsLandelFerry"]
-
 GAS_CONSTANT = 8.31446261815324
 """Gas constant [J/(mol K)]."""
 

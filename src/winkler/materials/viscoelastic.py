@@ -20,9 +20,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.limits import MOST_NUMBERS, MOST_TERMS
 from winkler.values.value import value
 
-__all__ = ["FittedSolid", "GeneralisedKelvin", "Prony", "ViscoelasticSolid"]
-
-
 POSITIVE_TIMES = Numbers(POSITIVE, most=MOST_NUMBERS, any_shape=True)
 
 

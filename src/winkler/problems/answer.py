@@ -24,30 +24,6 @@ if TYPE_CHECKING:
     from winkler.numerics.types import Array
     from winkler.values.validity import Note
 
-__all__ = [
-    "Assessed",
-    "Dragged",
-    "History",
-    "ManyLoads",
-    "March",
-    "Posed",
-    "Recovering",
-    "Restorable",
-    "SelfRestoring",
-    "Solution",
-    "Worn",
-    "gather",
-    "is_dragged",
-    "is_history",
-    "is_march",
-    "is_recovering",
-    "is_restorable",
-    "is_self_restoring",
-    "is_solution",
-    "is_worn",
-    "many_loads",
-]
-
 Result = TypeVar("Result")
 
 

@@ -22,19 +22,6 @@ from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import words
 
-__all__ = [
-    "Cycled",
-    "LastCycle",
-    "Looped",
-    "PathLoop",
-    "cycle_ends",
-    "cycle_notes",
-    "cycle_of",
-    "cycles_of",
-    "loss_factor",
-    "per_unit",
-]
-
 SAME = 1e-9
 """Part of the range of a load within which two of its values are the same."""
 CLOSED = 1e-3

@@ -7,8 +7,6 @@ from enum import StrEnum
 
 from winkler.values.errors import InvalidInput
 
-__all__ = ["Method", "refuse_method"]
-
 
 class Method(StrEnum):
     """The method of computing stick and slip; by default the most accurate one available."""

@@ -12,8 +12,6 @@ from winkler.loading.loads import Depth, Force, Load, Radius
 from winkler.numerics.types import Quantity
 from winkler.values.errors import InvalidInput
 
-__all__ = ["OfPath", "RestoredStates", "one_of", "picked", "single"]
-
 State = TypeVar("State")
 
 

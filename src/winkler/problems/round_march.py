@@ -8,8 +8,6 @@ from __future__ import annotations
 from winkler.numerics.types import PerLoad, Q
 from winkler.values.value import value, words
 
-__all__ = ["RoundNormal", "RoundPress", "RoundSlip", "RoundTwist"]
-
 
 @value
 class RoundNormal(PerLoad[Q]):

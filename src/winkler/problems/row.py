@@ -12,8 +12,6 @@ from typing import Any, Generic, NamedTuple, Protocol, TypeVar
 
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["CURVED_STEP_TOLERANCE", "Reached", "Row", "follow", "halved", "over"]
-
 CURVED_STEP_TOLERANCE = 3e-5
 """Curved steps are halved until cells and loss end elsewhere by less than this part of the greatest on the path."""
 MOST_HALVINGS, MOST_STEPS = 40, 50_000

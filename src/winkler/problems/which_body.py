@@ -7,8 +7,6 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput
 
-__all__ = ["in_first_body"]
-
 
 def in_first_body(depth: Array, owner: str) -> bool:
     """Return whether depths [m] lie in the first body; otherwise in the second.

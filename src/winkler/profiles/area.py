@@ -34,8 +34,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
 
-__all__ = ["AreaFunction", "stored", "stretched", "stretching"]
-
 LEAST_HEIGHT = 1e-150
 """Heights below this [m] count as zero: h^(1/128) is still 0.07 there."""
 SEARCHED_HEIGHTS = np.geomspace(1e-12, 1e6, 3000)

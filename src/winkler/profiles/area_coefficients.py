@@ -12,8 +12,6 @@ from winkler.values.checks.number_checks import Check
 from winkler.values.checks.physical_size import as_text
 from winkler.values.checks.plain_numbers import REAL, Argument, plain
 
-__all__ = ["AreaCoefficients", "coefficient_unit"]
-
 MOST_COEFFICIENTS = 100
 """Of an area function: from about fifty on the powers of the depth are zero."""
 

@@ -27,8 +27,6 @@ from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["CalibratedTip", "TabulatedTip"]
-
 POINTS_PER_OCTAVE = 8
 """Of the depth, at which an area function is sampled; the spline through them is within 3e-5 of the depths."""
 CONTINUED = 10

@@ -20,8 +20,6 @@ from winkler.values.checks.number_checks import Positive, PositiveNotTiny
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
 
-__all__ = ["Berkovich", "Cone", "CubeCorner", "RoundedCone", "SpheroConical", "TruncatedCone", "Vickers", "power_of"]
-
 
 @value
 class Cone(PowerPieces):

@@ -11,8 +11,6 @@ from winkler.profiles.ellipse import CurvedBodies
 from winkler.values.checks.number_checks import Finite, Number
 from winkler.values.value import value, words
 
-__all__ = ["CurvedPair"]
-
 Radius = Annotated[float, Number("give a number other than zero{unit}, negative where hollow, or infinite")]
 
 

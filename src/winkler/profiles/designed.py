@@ -22,8 +22,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["Designed"]
-
 GAP_TOLERANCE = 1e-10
 """Error of g' on its panels, relative to the steepest slope."""
 NARROW_PANEL_LIMITS = 1e-6, 1e-8

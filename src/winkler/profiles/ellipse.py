@@ -20,8 +20,6 @@ from winkler.values.checks.number_checks import Positive
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value
 
-__all__ = ["ContactEllipse", "CurvedBodies"]
-
 LEAST_AXES_RATIO = 1e-8
 """Smallest ratio of the semi-axes that is searched for; far beyond Kalker's table."""
 ROUNDING = 1e-14

@@ -12,8 +12,6 @@ from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Note
 from winkler.values.value import value, words
 
-__all__ = ["CappedCylinder", "Cylinder", "FlatPunch"]
-
 
 class _Pinned(Shape):
     """A body with a vertical wall at its radius."""

@@ -40,8 +40,6 @@ from winkler.values.checks.number_checks import Advice, PositiveOrInfinite
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value
 
-__all__ = ["Formula"]
-
 LARGEST_TRIED_RADIUS = 1.0
 """How far a formula without a reach is tried out [m]."""
 

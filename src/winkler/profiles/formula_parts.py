@@ -17,20 +17,6 @@ from winkler.values.checks.number_checks import FINITE, checked
 from winkler.values.checks.physical_size import as_text
 from winkler.values.errors import InvalidInput
 
-__all__ = [
-    "CORNER_OFFSETS",
-    "ROUNDING_RATIO",
-    "constants_of",
-    "last_finite",
-    "law_of",
-    "powers_of",
-    "pure",
-    "rest_of",
-    "sides_of",
-    "start_of",
-    "stretched",
-]
-
 ROUNDING_RATIO = 1e-12
 """What counts as zero, against the sum of the moduli of the parts of a height."""
 CORNER_OFFSETS = np.array([1e-5, 1e-6, 1e-7])

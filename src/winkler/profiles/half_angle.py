@@ -9,8 +9,6 @@ from winkler.values.checks.number_checks import Check, Number
 from winkler.values.checks.physical_size import as_text
 from winkler.values.checks.plain_numbers import Argument, plain
 
-__all__ = ["HalfAngle"]
-
 RIGHT_ANGLE = 0.5 * math.pi
 HALF_ANGLE_RANGE = Number("measured from the axis it must lie between 0 and pi/2", 0.0, RIGHT_ANGLE, (0.0, RIGHT_ANGLE))
 

@@ -32,8 +32,6 @@ from winkler.profiles.rounded import RoundedPunch, excess
 from winkler.profiles.smoothing import Spline
 from winkler.profiles.wavy import Wavy
 
-__all__ = ["line_load", "line_load_slope"]
-
 TABLE_TOLERANCE = 1e-12
 """Error of w' of a profile of many pieces, over its greatest value: its integral is as good as the quadrature."""
 

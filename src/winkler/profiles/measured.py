@@ -30,8 +30,6 @@ from winkler.values.limits import MEASURED_PLACES
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["Measured"]
-
 TOLERANCE = 1e-11
 """Error of g' on its panels, relative to the steepest slope."""
 FEWEST_POINTS = 6

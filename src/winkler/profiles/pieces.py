@@ -21,8 +21,6 @@ from winkler.numerics.types import Array
 from winkler.profiles.profile import Shape
 from winkler.profiles.sphere import shape_integral
 
-__all__ = ["PowerPieces", "Term"]
-
 Term = tuple[float, int, float]
 """``(b, m, c)``: the slope holds c r^m beyond the radius b."""
 

@@ -14,8 +14,6 @@ from winkler.profiles.profile import RisingShape
 from winkler.values.checks.number_checks import Positive, PositiveNotTiny, PositiveOfAnySize
 from winkler.values.value import value, words
 
-__all__ = ["Paraboloid", "PowerLaw"]
-
 
 @value
 class Paraboloid(RisingShape):

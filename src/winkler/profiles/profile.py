@@ -23,8 +23,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.validity import Note
 from winkler.values.value import value
 
-__all__ = ["Profile", "RisingShape", "Shape", "Sum"]
-
 Kinks = tuple[tuple[float, float], ...]
 
 

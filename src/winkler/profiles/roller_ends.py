@@ -20,8 +20,6 @@ from winkler.values.checks.number_checks import NonNegative, Number, Positive, P
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["CrownedEnds", "LogarithmicEnds", "RollerEnds", "RoundedEnds", "SharpEnds"]
-
 
 @value
 class SharpEnds:

@@ -18,9 +18,6 @@ from winkler.profiles.pieces import PowerPieces, Term
 from winkler.values.checks.number_checks import Positive, PositiveNotTiny
 from winkler.values.value import value
 
-__all__ = ["CappedParaboloid", "RoundedPunch", "TruncatedParaboloid", "excess"]
-
-
 SERIES_LIMIT = 0.3
 """Below this t the differences are summed as series, because their closed forms cancel."""
 SERIES_COEFFICIENTS = tuple(1.0 / (2.0 * k + 1.0) for k in range(17, 1, -1))

@@ -8,8 +8,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["Spline", "choose"]
-
 MOST_INTERPOLATED_POINTS = 256
 """Up to so many points a spline through all of them is a candidate; more are always fitted by fewer pieces."""
 MOST_PIECES = 512

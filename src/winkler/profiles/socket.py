@@ -21,8 +21,6 @@ from winkler.values.checks.number_checks import Positive, PositiveNotTiny
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value
 
-__all__ = ["BallInSocket"]
-
 
 @value
 class BallInSocket(RisingShape):

@@ -16,9 +16,6 @@ from winkler.profiles.profile import RisingShape
 from winkler.values.checks.number_checks import Positive, PositiveNotTiny
 from winkler.values.value import value
 
-__all__ = ["Ellipsoid", "Hyperboloid", "Sphere", "shape_integral"]
-
-
 SERIES_LIMIT = 0.2
 """Below this radius over body radius the integral of g is summed as a series, because its closed form cancels."""
 SERIES_COEFFICIENTS = tuple(2.0 / (4.0 * k * k - 1.0) for k in range(11, 0, -1))

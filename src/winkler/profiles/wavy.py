@@ -16,8 +16,6 @@ from winkler.profiles.profile import Shape
 from winkler.values.checks.number_checks import Positive
 from winkler.values.value import value
 
-__all__ = ["Wavy"]
-
 
 @value
 class Wavy(Shape):

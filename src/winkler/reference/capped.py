@@ -25,13 +25,6 @@ from winkler.reference.truncated import (
     truncated_paraboloid_pressure,
 )
 
-__all__ = [
-    "capped_paraboloid_depth",
-    "capped_paraboloid_displacement",
-    "capped_paraboloid_force",
-    "capped_paraboloid_pressure",
-]
-
 
 def capped_paraboloid_depth(
     radius: ArrayLike, *, curvature_radius: float, cap_curvature_radius: float, cap_radius: float

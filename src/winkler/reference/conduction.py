@@ -11,16 +11,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = [
-    "elliptic_resistance",
-    "greenwood_resistance",
-    "heated_growth",
-    "holm_resistance",
-    "kohlrausch_temperature",
-    "roess_factor",
-    "small_voltage_rise",
-]
-
 
 def holm_resistance(radius: float, *, first: float, second: float) -> float:
     """Return (rho_1 + rho_2) / (4 a) [ohm] of a clean disc between half-spaces.

@@ -19,8 +19,6 @@ import numpy as np
 
 from winkler.numerics.types import Array, ArrayLike
 
-__all__ = ["cone_depth", "cone_displacement", "cone_force", "cone_pressure", "equal_area_angle"]
-
 
 def equal_area_angle(area_coefficient: float) -> float:
     """Return the half-angle [rad] of the cone with the cross-section A = area_coefficient * height^2.

@@ -26,8 +26,6 @@ import numpy as np
 
 from winkler.numerics.types import Array, ArrayLike
 
-__all__ = ["ball_loss", "relaxation_loss", "relaxation_viscosity", "small_loss"]
-
 
 def ball_loss(
     shear_force: ArrayLike, *, force: float, coefficient: float, radius: float, shear_modulus: float

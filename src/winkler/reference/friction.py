@@ -21,14 +21,6 @@ import numpy as np
 
 from winkler.numerics.types import Array, ArrayLike
 
-__all__ = [
-    "mindlin_returning_force",
-    "mindlin_shear_force",
-    "mindlin_shift",
-    "mindlin_stick_radius",
-    "mindlin_traction",
-]
-
 
 def mindlin_stick_radius(radius: float, ratio: ArrayLike) -> Array:
     """Return c [m] of a contact of `radius` a [m] at a `ratio` y = F_x / (mu F) from 0 to 1."""

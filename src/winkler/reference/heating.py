@@ -24,17 +24,6 @@ import numpy as np
 
 from winkler.numerics.types import Array, ArrayLike
 
-__all__ = [
-    "disc_centre_rise",
-    "fast_uniform_maximum",
-    "hertz_heat_temperature",
-    "moving_point_temperature",
-    "tian_kennedy_parabolic",
-    "tian_kennedy_uniform",
-    "uniform_heat_mean",
-    "uniform_heat_temperature",
-]
-
 
 def hertz_heat_temperature(heat: float, radius: float, conductivity: float, r: ArrayLike) -> Array:
     """Return T [K] at distances r [m] under the flux of Hertz' pressure at rest; heat [W], conductivity [W/(m K)]."""

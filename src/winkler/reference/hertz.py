@@ -35,18 +35,6 @@ from scipy.special import hyp2f1
 from winkler.numerics.types import Array, ArrayLike
 from winkler.reference.interior import Interior, interior
 
-__all__ = [
-    "hertz_axis_stress",
-    "hertz_depth",
-    "hertz_displacement",
-    "hertz_force",
-    "hertz_peak_pressure",
-    "hertz_pressure",
-    "hertz_radius",
-    "hertz_subsurface",
-    "hertz_surface_stress",
-]
-
 
 def hertz_depth(radius: ArrayLike, *, curvature_radius: float) -> Array:
     """Return the depth d(a) = g(a) = a^2/R [m]."""

@@ -21,8 +21,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["kuwabara_kono_restitution"]
-
 
 def kuwabara_kono_restitution(time_ratio: float) -> float:
     """Return the velocity of parting over that of approach.

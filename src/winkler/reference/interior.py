@@ -27,8 +27,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["Interior", "interior"]
-
 
 class Interior(NamedTuple):
     """Stresses [Pa], tension positive, and displacements [m], outward and into the body positive."""

@@ -29,8 +29,6 @@ from scipy.special import ellipkm1, roots_jacobi
 
 from winkler.numerics.types import Array, ArrayLike, Curve
 
-__all__ = ["displacement", "point_force_displacement"]
-
 NODES_PER_PANEL = 20
 """Gauss points of a panel: with RATIO an error of about 1e-16 for a logarithm at the end of the row."""
 PANEL_RATIO = 0.2

@@ -20,15 +20,6 @@ from scipy.special import betaln, hyp2f1
 
 from winkler.numerics.types import Array, ArrayLike, Quantity
 
-__all__ = [
-    "power_law_depth",
-    "power_law_displacement",
-    "power_law_force",
-    "power_law_pressure",
-    "quartic_pressure",
-    "stretch",
-]
-
 
 def stretch(exponent: Quantity) -> Array:
     """Return kappa_n = g / f of a power law [-]: pi/2 for a cone, 2 for a paraboloid.

@@ -25,16 +25,6 @@ import numpy as np
 from winkler.numerics.types import Array, ArrayLike
 from winkler.reference.interior import Interior, interior
 
-__all__ = [
-    "flat_punch_depth",
-    "flat_punch_displacement",
-    "flat_punch_force",
-    "flat_punch_pressure",
-    "flat_punch_stiffness",
-    "flat_punch_subsurface",
-    "pinned_force",
-]
-
 
 def flat_punch_stiffness(radius: ArrayLike, *, modulus: float) -> Array:
     """Return the stiffness k = 2 E* a [N/m] of a flat punch."""

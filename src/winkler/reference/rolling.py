@@ -23,17 +23,6 @@ import numpy as np
 
 from winkler.numerics.types import Array, ArrayLike
 
-__all__ = [
-    "carter_creepage",
-    "carter_force",
-    "carter_stick_half_width",
-    "carter_traction",
-    "cubic_creep_force",
-    "first_rolling_force",
-    "rocking_limit",
-    "simplified_creep_force",
-]
-
 
 def cubic_creep_force(drive: ArrayLike) -> Array:
     """Return F_x / (mu F_N) at tau, the linear creep force over mu F_N; odd, and one from tau = 3 on."""

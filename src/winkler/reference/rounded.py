@@ -31,17 +31,6 @@ from winkler.numerics.types import Array, ArrayLike
 from winkler.reference.sphere import sphere_depth, sphere_force
 from winkler.reference.truncated import angle, leg, outer_arccos, outer_root, truncated_cone_depth, truncated_cone_force
 
-__all__ = [
-    "rounded_cone_depth",
-    "rounded_cone_displacement",
-    "rounded_cone_force",
-    "rounded_punch_depth",
-    "rounded_punch_displacement",
-    "rounded_punch_force",
-    "sphero_conical_depth",
-    "sphero_conical_force",
-]
-
 
 def rounded_punch_depth(radius: ArrayLike, *, flat_radius: float, edge_radius: float) -> Array:
     """Return the depth d(a) = g(a) [m] of f = (r - b)^2/(2 R) beyond b, (a/R)[sqrt(a^2 - b^2) - b acos(b/a)].

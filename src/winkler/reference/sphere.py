@@ -27,18 +27,6 @@ import numpy as np
 
 from winkler.numerics.types import Array, ArrayLike
 
-__all__ = [
-    "ellipsoid_depth",
-    "ellipsoid_displacement",
-    "ellipsoid_force",
-    "hyperboloid_depth",
-    "hyperboloid_displacement",
-    "hyperboloid_force",
-    "sphere_depth",
-    "sphere_displacement",
-    "sphere_force",
-]
-
 SERIES_LIMIT = 0.25
 """Below this a/R the series is summed: its terms fall by 1/16, the closed forms lose a factor of 1/SMALL^2."""
 SERIES_POWERS = np.arange(16)

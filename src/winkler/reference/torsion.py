@@ -20,8 +20,6 @@ from scipy.special import ellipe, ellipkm1
 
 from winkler.numerics.types import Array, ArrayLike
 
-__all__ = ["ball_twist", "ball_twist_limit", "punch_twist", "rigid_twist_torque", "small_ball_twist"]
-
 
 def ball_twist(stick_ratio: ArrayLike) -> Array:
     """Return G_t a^2 phi / (mu F) of a ball whose disc of radius c = stick_ratio a sticks (Lubkin).

@@ -17,8 +17,6 @@ from __future__ import annotations
 
 import math
 
-__all__ = ["transverse_modulus", "transverse_shear_modulus"]
-
 
 def transverse_modulus(*, c11: float, c13: float, c33: float, c44: float) -> float:
     """Return E* [Pa] of a transversely isotropic half-space against a rigid body.

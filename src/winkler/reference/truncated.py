@@ -26,20 +26,6 @@ from scipy.special import ellipeinc, ellipkinc
 
 from winkler.numerics.types import Array, ArrayLike
 
-__all__ = [
-    "angle",
-    "leg",
-    "outer_arccos",
-    "outer_root",
-    "truncated_cone_depth",
-    "truncated_cone_displacement",
-    "truncated_cone_force",
-    "truncated_paraboloid_depth",
-    "truncated_paraboloid_displacement",
-    "truncated_paraboloid_force",
-    "truncated_paraboloid_pressure",
-]
-
 
 def leg(x: ArrayLike, b: float) -> Array:
     """Return sqrt(x^2 - b^2) beyond b, zero before."""

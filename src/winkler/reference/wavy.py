@@ -21,8 +21,6 @@ from scipy.special import struve
 
 from winkler.numerics.types import Array, ArrayLike
 
-__all__ = ["wavy_depth", "wavy_force"]
-
 
 def wavy_depth(radius: ArrayLike, *, amplitude: float, wavelength: float) -> Array:
     """Return the depth d(a) = g(a) [m] of concentric waves."""

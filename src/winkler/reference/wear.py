@@ -22,8 +22,6 @@ import numpy as np
 
 from winkler.numerics.types import Array, ArrayLike
 
-__all__ = ["cap_radius", "limiting_force", "limiting_height", "punch_bulge"]
-
 
 def limiting_height(r: ArrayLike, *, core: float, depth: float, curvature_radius: float) -> Array:
     """Return the limiting profile of a ball beyond its core [m].

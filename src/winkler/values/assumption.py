@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from enum import Enum
 
-__all__ = ["Assumption"]
-
 
 class Assumption(Enum):
     """An assumption on which a result may rest.

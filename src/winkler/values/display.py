@@ -23,8 +23,6 @@ from winkler.values.errors import WinklerError
 from winkler.values.readable import scale_of, with_unit
 from winkler.values.vocabulary import word
 
-__all__ = ["block", "html_table", "short"]
-
 CALL_WIDTH = 240
 """Most characters of a value that is written as the call that makes it."""
 LINE_WIDTH = 96

@@ -26,21 +26,6 @@ import re
 from collections.abc import Callable, Collection, Iterable
 from typing import Self
 
-__all__ = [
-    "SYNONYMS",
-    "Interrupted",
-    "InvalidInput",
-    "Mistake",
-    "NotConverged",
-    "OutsideValidity",
-    "WinklerError",
-    "listed",
-    "mistake_in",
-    "mistyped",
-    "nearest",
-    "suggest",
-]
-
 LONGEST_TEXT = 300
 """Longer texts of unexpected errors are cut."""
 MISTYPED = 0.8

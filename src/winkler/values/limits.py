@@ -6,36 +6,6 @@ what instruments write: a map of 4096 x 4096 heights has 2^24 pixels.
 
 from __future__ import annotations
 
-__all__ = [
-    "CELL_LETTERS",
-    "FIELD_PLACES",
-    "FILE_BYTES",
-    "HEADER_LETTERS",
-    "HEADER_LINES",
-    "KEY_LETTERS",
-    "LEAST_STEP_RATIO",
-    "LINE_LETTERS",
-    "LIST_BYTES",
-    "MADE_PIXELS",
-    "MEASURED_PLACES",
-    "MEASURED_TIMES",
-    "MOST_CURVES",
-    "MOST_FILM_PIXELS",
-    "MOST_HOLES",
-    "MOST_NUMBERS",
-    "MOST_SPRINGS",
-    "MOST_SWEPT_RUNS",
-    "MOST_TERMS",
-    "PATH_POINTS",
-    "READING_BYTES",
-    "RELAXING_SPRINGS",
-    "STUDY_BYTES",
-    "STUDY_MARKS",
-    "TEXT_BYTES",
-    "TEXT_LINES",
-    "UNIT_LETTERS",
-]
-
 TEXT_BYTES = 200_000_000
 """Bytes of a text with numbers."""
 TEXT_LINES = 2_000_000

@@ -11,17 +11,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-__all__ = [
-    "GREEK",
-    "Scale",
-    "middle_scale",
-    "name_in_words",
-    "pretty_unit",
-    "scale_of",
-    "with_readable_numbers",
-    "with_unit",
-]
-
 PREFIXES = {-18: "a", -15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
 
 PREFIXED = ("m", "N", "Pa", "J", "W", "s", "V", "A", "Hz", "K", "ohm", "S", "N m", "ohm m")

@@ -15,8 +15,6 @@ from typing import Any, NamedTuple
 from winkler.values.errors import InvalidInput, suggest
 from winkler.values.limits import UNIT_LETTERS
 
-__all__ = ["COMMON_UNITS", "POWERS", "Unit", "Unreadable", "si_unit", "unit_of"]
-
 LARGEST_EXPONENT = 12
 """Largest exponent of a unit."""
 MOST_FACTOR_BITS = 1000

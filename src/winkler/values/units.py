@@ -17,8 +17,6 @@ from typing import Any, TypeVar
 from winkler.values.errors import InvalidInput
 from winkler.values.unit_grammar import COMMON_UNITS, POWERS, Unit, Unreadable, unit_of
 
-__all__ = ["comma_hint", "comma_readings", "converted", "format_quantity", "is_fixed", "quantity", "scale", "to_si"]
-
 T = TypeVar("T")
 
 LONGEST_QUANTITY = 100

@@ -30,8 +30,6 @@ from winkler.values.display import html_table, short
 from winkler.values.errors import InvalidInput, WinklerError, suggest
 from winkler.values.vocabulary import Word, word
 
-__all__ = ["frozen_array", "value", "words"]
-
 T = TypeVar("T")
 
 

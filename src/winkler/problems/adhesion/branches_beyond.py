@@ -24,8 +24,6 @@ from winkler.problems.adhesion.stability import (
 from winkler.problems.normal.solve_contact import at_end
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["branches_beyond"]
-
 OCTAVES_ABOVE = 80
 """How many octaves above the first stable radius a load is sought."""
 

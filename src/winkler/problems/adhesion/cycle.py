@@ -55,8 +55,6 @@ from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["AdhesiveCycle", "AdhesiveCycleSolution"]
-
 JUMP_ROUNDING = 1e-10
 """Part of the energies that meet in a jump by which their difference may come out negative."""
 

@@ -5,8 +5,6 @@ from __future__ import annotations
 from winkler.numerics.types import PerLoad, Q
 from winkler.values.value import value, words
 
-__all__ = ["AdhesiveJump", "AdhesiveState", "EdgeState"]
-
 
 @value
 class EdgeState(PerLoad[Q]):

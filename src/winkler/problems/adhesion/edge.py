@@ -30,8 +30,6 @@ from winkler.problems.normal.solve_contact import end_of, flat_radius
 from winkler.values.errors import OutsideValidity
 from winkler.values.value import value
 
-__all__ = ["AdhesiveEdge", "DeadLoad", "LoadingMachine", "adhesive_edge", "last_radius"]
-
 OCTAVES = 400
 BISECTIONS = 50
 

@@ -23,18 +23,6 @@ from winkler.problems.adhesion import griffith
 from winkler.problems.normal.solve_contact import end_of
 from winkler.values.value import value
 
-__all__ = [
-    "EdgeStates",
-    "FarStates",
-    "ShortStates",
-    "depth_under",
-    "force_of",
-    "force_under",
-    "margin",
-    "position",
-    "stored_energy",
-]
-
 
 class EdgeStates(Protocol):
     """The equilibria of a bed under a law of adhesion, as a law must define them. Arrays of radii in, arrays out."""

@@ -28,8 +28,6 @@ from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["AdhesiveBranch", "Equilibrium", "EquilibriumCurve", "EquilibriumJump"]
-
 LEAST_STATES, MOST_STATES = 2, 1_000_000
 
 

@@ -17,8 +17,6 @@ from winkler.numerics.types import Array
 from winkler.problems.adhesion.edge_states import EdgeStates
 from winkler.problems.normal.solve_contact import end_of
 
-__all__ = ["expected_radius"]
-
 SEARCH_DECADES = np.arange(-12.0, 6.0, 0.25)
 LEAST_RADIUS_RATIO = 1e-12
 """Both of the lengths of the body."""

@@ -17,8 +17,6 @@ import numpy as np
 from winkler.foundation.bed import Bed
 from winkler.numerics.types import Array
 
-__all__ = ["depth_of", "energy_release_rate", "force_at", "stretch"]
-
 LEAST_RADIUS = 1e-150
 """Stands for a radius of zero [m], where springs of a graded medium have no stiffness; its square is a number."""
 

@@ -32,8 +32,6 @@ from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
 
-__all__ = ["AdhesiveIndentation", "AdhesiveSolution"]
-
 FIXED_GRIPS, DEAD_LOAD = float("inf"), 0.0
 
 

@@ -15,8 +15,6 @@ from winkler.problems.adhesion.maugis import CohesiveStates
 from winkler.problems.normal.length_scale import shape_length
 from winkler.values.errors import InvalidInput, OutsideValidity
 
-__all__ = ["states_of"]
-
 
 def states_of(bed: Bed, law: AdhesionLaw) -> EdgeStates:
     """Return the states of a bed under a law.

@@ -29,8 +29,6 @@ from winkler.numerics.transforms import fredholm
 from winkler.numerics.transforms.cosine_transform import WaveResponse
 from winkler.numerics.types import Array
 
-__all__ = ["LayeredRing", "layered_ring", "read"]
-
 PLACES_PER_BLOCK = 400_000
 """Places at which the tables of the medium are read at once."""
 LOGARITHMIC_NODES, LOGARITHMIC_POWER = 2, 3

@@ -44,8 +44,6 @@ from winkler.problems.adhesion.maugis_integrals import RingSprings, Rule, edges_
 from winkler.values.errors import NotConverged, OutsideValidity
 from winkler.values.value import value, words
 
-__all__ = ["DiscOnLayers", "LayeredStates", "RingedLayers", "layered_zone"]
-
 SHARE_TOLERANCE = 1e-12
 ENERGY_RULE = ("double", 161)
 TABLE_TOLERANCE = 1e-12

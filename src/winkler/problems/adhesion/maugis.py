@@ -57,8 +57,6 @@ from winkler.problems.adhesion.maugis_integrals import (
 from winkler.values.errors import NotConverged, OutsideValidity
 from winkler.values.value import value, words
 
-__all__ = ["CLOSEST_OTHERWISE", "CohesiveStates", "RingedSprings", "beyond_profile", "no_zone", "zone"]
-
 CLOSEST_HOMOGENEOUS, CLOSEST_OTHERWISE = 16.0, 1e8
 """Closest place to the end of a ring, in units of rounding: on a homogeneous surface, and elsewhere."""
 

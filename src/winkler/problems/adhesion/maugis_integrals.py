@@ -23,18 +23,6 @@ from winkler.numerics.panels.abel_intervals import root_difference
 from winkler.numerics.transforms.graded_abel import right_cosine
 from winkler.numerics.types import Array, Curve
 
-__all__ = [
-    "RingSprings",
-    "Rule",
-    "edges_of",
-    "gap_moment",
-    "moment",
-    "profile_moment",
-    "profile_part",
-    "pulled",
-    "turn",
-]
-
 Rule = tuple[str, int]
 """``("gauss", count)`` for what is smooth in the angle, ``("double", count)``, double-exponential, for what is not."""
 

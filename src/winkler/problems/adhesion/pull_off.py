@@ -21,9 +21,6 @@ from winkler.values.checks.number_checks import Number
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value
 
-__all__ = ["MachineStiffness", "PullOff", "PullOffSolution"]
-
-
 MachineStiffness: TypeAlias = Annotated[
     float, Number("give 0 for a dead load, inf for fixed grips, or a positive number{unit}", 0.0)
 ]

@@ -38,8 +38,6 @@ from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["AdhesiveShear", "AdhesiveShearSolution", "ShearLimit"]
-
 OCTAVES_SEARCHED = 60
 PANEL_TOLERANCE, LEVEL_NOISE = 1e-12, 1e-11
 SAVKOOR = "A. R. Savkoor, G. A. D. Briggs, Proc. R. Soc. Lond. A 356 (1977) 103-114, doi:10.1098/rspa.1977.0123"

@@ -21,16 +21,6 @@ from winkler.problems.adhesion.edge_states import EdgeStates, force_of, margin
 from winkler.problems.adhesion.expected_radius import expected_radius
 from winkler.values.errors import OutsideValidity
 
-__all__ = [
-    "OCTAVES_PER_BLOCK",
-    "OCTAVES_SEARCHED",
-    "SAMPLES_PER_OCTAVE",
-    "Branch",
-    "branches",
-    "least_radius",
-    "typical_radius",
-]
-
 DEGREE = 16
 RESOLVED_TAIL = 1e-9
 """Size of the last coefficients of a panel, relative to the largest, at which it counts as resolved."""

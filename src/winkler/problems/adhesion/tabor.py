@@ -6,8 +6,6 @@ import math
 
 from winkler.values.checks.number_checks import POSITIVE, checked
 
-__all__ = ["MAUGIS_OVER_TABOR", "maugis_parameter", "tabor_parameter"]
-
 MAUGIS_OVER_TABOR = 2.0 / math.cbrt(16.0 * math.pi / 9.0)
 """Maugis' parameter over Tabor's, if the range is work over strength."""
 UNITS = {"curvature_radius": "m", "modulus": "Pa", "work": "J/m^2", "distance": "m", "strength": "Pa"}

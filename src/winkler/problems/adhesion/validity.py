@@ -16,8 +16,6 @@ from winkler.problems.normal.validity import shape_notes
 from winkler.problems.normal.yield_statement import FRICTIONLESS, SurfaceFriction, yield_notes
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["adhesive_notes"]
-
 JKR = "K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. Lond. A 324 (1971) 301, doi:10.1098/rspa.1971.0141"
 MAUGIS = "D. Maugis, J. Colloid Interface Sci. 150 (1992) 243-269, doi:10.1016/0021-9797(92)90285-T"
 DMT = "B. V. Derjaguin, V. M. Muller, Yu. P. Toporov, J. Colloid Interface Sci. 53 (1975) 314-326"

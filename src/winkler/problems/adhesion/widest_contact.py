@@ -14,8 +14,6 @@ from winkler.problems.adhesion.stability import Branch
 from winkler.problems.normal.solve_contact import indices_of
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["stable_counts", "widest"]
-
 GRID_POINTS = 48
 NEWTON_LEAST_LOADS, NEWTON_STEPS, NEWTON_TOLERANCE = 8, 6, 1e-8
 """Of so many loads, so many steps of Newton's method are tried, until one is so small: the next would be its square."""

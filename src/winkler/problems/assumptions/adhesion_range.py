@@ -12,8 +12,6 @@ import math
 from winkler.laws.adhesion import AdhesionLaw, ShortRange
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["MOLECULAR_RANGE", "PULL_OFF_STRETCH", "range_note"]
-
 PULL_OFF_STRETCH = math.sqrt(2.0 * math.pi) * (9.0 * math.pi / 8.0) ** (1.0 / 6.0)
 """Stretch of a paraboloid's edge at its pull-off without range, in units of (R w^2 / E*^2)^(1/3)."""
 MOLECULAR_RANGE = 0.3e-9

@@ -22,17 +22,6 @@ from winkler.media.relaxing.proportional import RelaxingInProportion
 from winkler.media.relaxing.viscoelastic import ViscoelasticHalfSpace
 from winkler.values.validity import Assumption, Note, Standing, standing_of
 
-__all__ = [
-    "NEGLIGIBLE_COUPLING",
-    "coefficient_of",
-    "dundurs",
-    "mismatch",
-    "sliding_note",
-    "solved_together_note",
-    "sticking_note",
-    "stuck_stiffening",
-]
-
 NEGLIGIBLE_COUPLING = 1e-12
 """Dundurs' constant [-] that is rounding."""
 SMALL_COUPLING, LARGE_COUPLING = 0.1, 1.0

@@ -10,20 +10,6 @@ from typing import Final
 
 from winkler.values.validity import Assumption
 
-__all__ = [
-    "ADHESIVE",
-    "ATTRACTED",
-    "BALANCED",
-    "CONDUCTING",
-    "HEATED",
-    "MAPPED",
-    "PRESSED",
-    "RELAXING",
-    "ROLLING",
-    "SHEARED",
-    "WORN",
-]
-
 BALANCED: Final = frozenset((Assumption.ENERGY,))
 """A march whose energies are checked against each other, or at both ends of its last cycle, beside all else that it
 assumes."""

@@ -9,8 +9,6 @@ from winkler.foundation.directional import DirectionalBed
 from winkler.foundation.footprint import EllipticOutline, UnknownOutline
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["direction_notes"]
-
 MINDLIN = "R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268, doi:10.1115/1.4009973"
 JAEGER = (
     "M. Ciavarella, Int. J. Solids Struct. 35 (1998) 2349-2362, doi:10.1016/S0020-7683(97)00154-6; J. Jaeger, "

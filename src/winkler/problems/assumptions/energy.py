@@ -7,8 +7,6 @@ import numpy as np
 from winkler.numerics.types import ArrayLike
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["energy_note", "missing_energy"]
-
 ENERGY_ROUNDING, LARGE_MISSING_ENERGY = 1e-9, 1e-3
 """Part of the greatest energy [-] up to which what is missing is rounding, and from which on energies are not known."""
 CHECK = (

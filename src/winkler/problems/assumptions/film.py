@@ -12,8 +12,6 @@ from winkler.media.offers import LayerStack, offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.values.validity import Assumption, Note, Standing, standing_of
 
-__all__ = ["film_note", "film_notes", "film_strain"]
-
 SMALL_STRAIN, LARGE_STRAIN = 0.1, 0.5
 """Mean strain [-] up to which linear elasticity describes a layer, and from which on it does not."""
 VERDICTS = {

@@ -14,8 +14,6 @@ import numpy as np
 from winkler.numerics.types import Quantity
 from winkler.values.validity import Assumption, Note, Standing, standing_of
 
-__all__ = ["wave_loss", "wave_note"]
-
 SMALL_WAVE_LOSS, LARGE_WAVE_LOSS = 0.02, 0.3
 """Share of the energy that waves carry away [-], up to which slow motion is the limit, and from which on it is none."""
 VERDICTS = {

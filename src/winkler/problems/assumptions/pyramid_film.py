@@ -24,8 +24,6 @@ from winkler.profiles.pyramids.rounded_pyramid import RoundedPyramid
 from winkler.values.errors import InvalidInput
 from winkler.values.validity import Assumption, Note, Standing, standing_of
 
-__all__ = ["pyramid_layer_error", "pyramid_notes"]
-
 RADII = np.array([0.1, 0.3, 1.0, 3.0, 10.0])
 """Radii of contact over the thickness, the columns."""
 CONTRASTS = np.array([0.1, 0.3, 1.0, 3.0, 10.0, 1000.0])

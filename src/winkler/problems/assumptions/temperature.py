@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from winkler.values.validity import Assumption, Note, Standing, standing_of
 
-__all__ = ["HIGHEST_MELTING_POINT", "temperature_note"]
-
 MODERATE_RISE = 200.0
 """Rise of temperature [K] up to which conductivity, strength and friction of metals change by some ten per cent."""
 HIGHEST_MELTING_POINT = 4400.0

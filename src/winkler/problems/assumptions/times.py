@@ -9,8 +9,6 @@ from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 from winkler.numerics.types import Array
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["path_notes", "times_notes"]
-
 SERIES = "sum of exponentials over a span of time"
 
 

@@ -30,8 +30,6 @@ from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
 
-__all__ = ["ConductanceBounds", "ConductanceBoundsSolution"]
-
 HALVINGS = 200
 
 

@@ -25,8 +25,6 @@ from winkler.values.checks.number_checks import NonNegative
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["Constriction", "ConstrictionSolution"]
-
 
 @value
 class Constriction(PerLoad[Q]):

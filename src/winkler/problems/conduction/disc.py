@@ -21,8 +21,6 @@ from winkler.values.checks.outline import refuse_unless_round
 from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["conducting_disc", "mean_free_path_note", "resistances_of", "scope_notes"]
-
 
 def resistances_of(bed: Bed, conductors: ElectricalConductors | HeatConductors, radius: Array) -> Resistances:
     """Return the resistances to a current through contacts of given radii `(m,)` [m].

@@ -26,8 +26,6 @@ from winkler.values.checks.outline import refuse_unless_round
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.value import value
 
-__all__ = ["CurrentFields", "HeatFields", "restore_conduction"]
-
 NODES = 48
 CLOSE = 1e-14
 """Of the voltage over a body, the last step of the search for the voltage at a place."""

@@ -23,8 +23,6 @@ from winkler.numerics.integrals.quadrature import gauss_legendre
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["ColdContact", "HotContact", "hot_at_current", "hot_at_voltage", "profile", "temperatures"]
-
 NODES = 40
 MOST_STEPS = 300
 VOLTAGE_FACTOR = 1.2

@@ -32,8 +32,6 @@ from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["JouleHeating", "JouleHeatingSolution", "cold_contact"]
-
 DEFAULT_LAW = WiedemannFranz()
 ROOM_TEMPERATURE = 293.15
 KOHLRAUSCH = "R. Holm, Electric Contacts, 4th edition, Springer 1967, section 13, doi:10.1007/978-3-662-06688-1"

@@ -28,8 +28,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["LineConstriction", "LineConstrictionSolution"]
-
 MOST_SPREADING = (1.5 - 2.0 * math.log(2.0)) / math.pi
 """What an even current costs more than that of a strip of one voltage, over rho_1 + rho_2."""
 

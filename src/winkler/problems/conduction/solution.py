@@ -16,9 +16,6 @@ from winkler.problems.normal.yield_statement import yield_notes_of_bed
 from winkler.values.validity import Note
 from winkler.values.value import value
 
-__all__ = ["ConductingSolution"]
-
-
 One = TypeVar("One", covariant=True)
 """The solution of one load."""
 

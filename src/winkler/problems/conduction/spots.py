@@ -25,8 +25,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.validity import Assumption, Note, Standing, standing_left
 from winkler.values.value import value, words
 
-__all__ = ["SpotCluster", "SpotClusterSolution"]
-
 EXPANSION_DEGREES = ((40, 6), (120, 4), (400, 2))
 """Up to how many spots their fluxes are expanded to which degree."""
 LEFT = 2.0

@@ -10,8 +10,6 @@ from winkler.media.conduction.conductors import ElectricalConductors, HeatConduc
 from winkler.media.halfspace import HomogeneousMedium
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["conductance_of_stiffness", "plain"]
-
 
 def conductance_of_stiffness(
     owner: str, medium: HomogeneousMedium, conductors: ElectricalConductors | HeatConductors

@@ -24,8 +24,6 @@ from winkler.values.checks.number_checks import Finite
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["ThermalConstriction", "ThermalConstrictionSolution"]
-
 
 @value
 class ThermalConstriction(PerLoad[Q]):

@@ -61,8 +61,6 @@ from winkler.values.limits import MOST_SPRINGS, RELAXING_SPRINGS
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["BimodalDamping", "BimodalDampingSolution"]
-
 TOLERANCE = 1e-12
 """Of the integral over the springs."""
 EDGE_HALVINGS = 30

@@ -52,8 +52,6 @@ from winkler.values.limits import RELAXING_SPRINGS
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["DampingSolution", "FrictionDamping", "FrictionDampingSolution"]
-
 FORCE_ROUNDING = 1e-12
 """Part of the sliding force by which rounding may exceed it."""
 

@@ -14,8 +14,6 @@ from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
 from winkler.values.errors import OutsideValidity
 from winkler.values.value import value
 
-__all__ = ["SlippingSprings", "oscillating_contact", "stuck_stiffness"]
-
 TOLERANCE = 1e-13
 """Of each integral over the springs."""
 EDGE_HALVINGS = 30

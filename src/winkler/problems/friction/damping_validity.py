@@ -13,8 +13,6 @@ from winkler.problems.ring_slip.push_bound import push_bound
 from winkler.problems.ring_slip.push_notes import push_note, tables_note
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["STEADY", "damping_notes"]
-
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 7.2, doi:10.1017/CBO9781139171731"
 POPOV_HESS = "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6"
 JAEGER = "J. Jaeger, Arch. Appl. Mech. 65 (1995) 478-487, doi:10.1007/BF00835661"

@@ -33,8 +33,6 @@ from winkler.problems.round_march import RoundSlip
 from winkler.values.validity import Note
 from winkler.values.value import value, words
 
-__all__ = ["MovedSprings", "PushedSprings", "PushedState", "pushed_notes", "pushed_states"]
-
 PATH_SAMPLES, RADIUS_SAMPLES = 6, 25
 """At so many states of a path the traction is examined, at so many radii."""
 

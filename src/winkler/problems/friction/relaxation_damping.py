@@ -29,8 +29,6 @@ from winkler.values.checks.number_checks import Finite, Positive
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
 
-__all__ = ["RelaxationDamper", "RelaxationDamperSolution"]
-
 TOLERANCE = 1e-12
 """Of the integrals over the springs."""
 EDGE_HALVINGS = 30

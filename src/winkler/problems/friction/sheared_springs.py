@@ -15,8 +15,6 @@ from winkler.numerics.types import Array, Quantity
 from winkler.problems.normal.indentation import Indentation
 from winkler.problems.normal.stiffness_ratio import common_ratio
 
-__all__ = ["sheared_by_pieces"]
-
 NARROWEST_PIECE = 1e-12
 """Pieces narrower than this, in parts of the depth, are none; steps smaller, in parts of the greatest displacement."""
 ON_LAYERS = (

@@ -15,8 +15,6 @@ from winkler.numerics.types import Array
 from winkler.problems.friction.slip_stack import SlipStack, SlipState, empty_stack, move, new_piece
 from winkler.values.value import words
 
-__all__ = ["MovedMemory", "SlipMemory", "SlipPieces", "SpringPiece"]
-
 
 class SpringPiece(NamedTuple):
     """Springs in a row whose displacement is a straight line over the gap.

@@ -22,29 +22,6 @@ from typing import Any, NamedTuple
 from winkler.problems.row import Reached, over
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = [
-    "LEAST_DEPTH",
-    "Moments",
-    "SlipCells",
-    "SlipGoal",
-    "SlipStack",
-    "SlipState",
-    "empty_stack",
-    "make_room",
-    "missed",
-    "moments",
-    "move",
-    "new_piece",
-    "normal_at",
-    "refuse",
-    "settled",
-    "shear",
-    "slip_apart",
-    "slip_step",
-    "stored",
-    "within",
-]  # fmt: skip
-
 LEAST_DEPTH = 1e-150
 """Depths below this [m] are none, and springs whose gaps differ by less lose alike: their squares are no numbers."""
 BOUND_TOLERANCE = 1e-12

@@ -21,8 +21,6 @@ from winkler.problems.friction.slip_memory import SlipMemory
 from winkler.problems.friction.slip_stack import Moments, shear, stored, within
 from winkler.problems.normal.force_curve import GAUSS_POINTS, GAUSS_WEIGHTS, SHALLOWER, NormalCurves
 
-__all__ = ["NormalStates", "PanelTable", "SlipSums", "panel_at", "panel_moments", "panel_table"]
-
 MOST_GAPS = 256
 """Gaps that are remembered at most."""
 GAUSS_NODES, GAUSS_SHARES = (tuple(each.tolist()) for each in (GAUSS_POINTS, GAUSS_WEIGHTS))

@@ -25,8 +25,6 @@ from winkler.numerics.equations.bracketing import between
 from winkler.numerics.types import Array
 from winkler.values.value import value, words
 
-__all__ = ["SpringCycle"]
-
 UNIT_CIRCLE_TOLERANCE = 1e-3
 """How far from the unit circle a root still counts as a moment: one too many only splits a step in two."""
 

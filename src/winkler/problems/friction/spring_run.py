@@ -24,8 +24,6 @@ from winkler.problems.normal.indentation import Indentation
 from winkler.problems.row import Reached, follow, over
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
-__all__ = ["SingleSprings", "SpringPlaces"]
-
 UNREACHABLE_BOUND = 1e100
 """Instead of an infinite bound: so far no spring is ever displaced, and its square is still a number."""
 FORCE_TOLERANCE = 1e-12

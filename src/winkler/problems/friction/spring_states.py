@@ -18,8 +18,6 @@ from winkler.values.checks.contract import offered
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["OwnLaw", "SpringLaw", "SpringState", "spring_notes"]
-
 RATIO_TOLERANCE = 1e-9
 """Ratios of stiffness that differ by less are equal."""
 

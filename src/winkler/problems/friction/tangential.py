@@ -54,8 +54,6 @@ from winkler.values.limits import RELAXING_SPRINGS
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["Tangential", "TangentialSolution"]
-
 State = TangentialState | SpringState | PushedState | DraggedState
 """The contact at one point of a path, by whichever method it was followed."""
 

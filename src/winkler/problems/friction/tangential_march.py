@@ -33,8 +33,6 @@ from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.row import CURVED_STEP_TOLERANCE, Reached, Row, halved
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["PressedRow", "SlipRow"]
-
 UNTOUCHED_DEPTH = 1e-9
 """Depth [m] to which the normal curve is made for bodies that never touch, and never evaluated."""
 LONG = 5000

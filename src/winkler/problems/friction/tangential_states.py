@@ -28,8 +28,6 @@ from winkler.problems.viscoelastic.tangential import DraggedState
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["TangentialState", "friction_notes", "stick_radii"]
-
 MINDLIN = (
     "R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268, doi:10.1115/1.4009973; J. Jaeger, Arch. Appl. Mech. 65 (1995) "
     "478-487, doi:10.1007/BF00835661"

@@ -42,8 +42,6 @@ from winkler.values.limits import RELAXING_SPRINGS
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["Torsion", "TorsionSolution"]
-
 TwistState = TorsionState | DraggedTwist
 """The contact at one point of a path, of bodies that are elastic, or relax."""
 

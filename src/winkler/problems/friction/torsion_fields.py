@@ -9,8 +9,6 @@ from winkler.numerics.types import Array
 from winkler.problems.friction.torsion_states import TorsionState
 from winkler.values.value import value
 
-__all__ = ["TwistedFields", "body_of_twisted", "twisted_surface"]
-
 
 @value
 class TwistedFields:

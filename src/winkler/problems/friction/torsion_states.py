@@ -14,8 +14,6 @@ from winkler.problems.round_march import RoundTwist
 from winkler.values.errors import OutsideValidity
 from winkler.values.value import value
 
-__all__ = ["TorsionState"]
-
 
 @value
 class TorsionState(RingState, RoundTwist[float]):

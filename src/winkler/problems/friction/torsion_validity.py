@@ -25,8 +25,6 @@ from winkler.problems.ring_slip.ring_notes import ring_notes
 from winkler.problems.ring_slip.twisted_layers import twisted_layer_notes
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["torsion_notes", "torsion_yield_notes"]
-
 LEAST_DEPTH = 1e-3
 """Stresses of a twist are sought below this depth, in contact radii."""
 ROUNDS = 4

@@ -16,8 +16,6 @@ from winkler.problems.line.peak_pressure import is_sharp, rim_load
 from winkler.values.checks.number_checks import PositiveQuantity
 from winkler.values.value import value
 
-__all__ = ["EvenBand", "HeatedLine", "band_sources"]
-
 TABLE_TOLERANCE = 1e-13
 """Error of a tabulated flux over its mean."""
 

@@ -26,8 +26,6 @@ from winkler.values.checks.number_checks import FINITE_QUANTITY, NON_NEGATIVE_QU
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["BandHeating", "BandHeatingSolution"]
-
 
 @value
 class BandHeating(StripHeating[Q]):

@@ -22,8 +22,6 @@ from winkler.numerics.types import Array
 from winkler.problems.heating.heat_source import PointSource
 from winkler.problems.heating.moved_body import HeatBody, moved_body, top
 
-__all__ = ["fast", "first_share", "idle_share", "shared", "stationary", "tian_kennedy"]
-
 
 def stationary(source: PointSource, body: HeatBody, speed: float, direction: float) -> float:
     """Return the greatest temperature of 1 W [K/W] as if the body were at rest."""

@@ -37,8 +37,6 @@ from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["FrettingHeat", "FrettingHeatSolution"]
-
 CLOSURE_TOLERANCE = 1e-6
 """Part of the greatest shift, or force, by which two ends of a closed cycle may differ."""
 SAMPLES = 513

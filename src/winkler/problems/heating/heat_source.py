@@ -23,8 +23,6 @@ from winkler.problems.heating.pressed_source import PressedSource
 from winkler.problems.normal.elliptic import EllipticSolution
 from winkler.problems.normal.indentation import IndentationSolution
 
-__all__ = ["HeatedContact", "PointSource", "half_lengths", "heat_source", "heat_sources"]
-
 HeatedContact = IndentationSolution | EllipticSolution
 """A contact that heats up: round, or of two curvatures."""
 PointSource = LineSource | EllipticSource | PressedSource

@@ -15,8 +15,6 @@ from winkler.values.checks.number_checks import Number
 from winkler.values.checks.place_checks import common_places
 from winkler.values.value import value, words
 
-__all__ = ["HeatedBody", "Turn", "sliding_line"]
-
 Turn: TypeAlias = Annotated[float, Number("give an angle of at most one turn{unit}", -2.0 * math.pi, 2.0 * math.pi)]
 
 

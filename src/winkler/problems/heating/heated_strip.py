@@ -11,8 +11,6 @@ from winkler.problems.heating.moved_body import HeatBody, diffusivities, moved_u
 from winkler.values.checks.place_checks import finite_places
 from winkler.values.value import value, words
 
-__all__ = ["HeatedStrip"]
-
 
 @value
 class HeatedStrip:

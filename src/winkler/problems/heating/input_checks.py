@@ -17,8 +17,6 @@ from winkler.problems.normal.indentation import Indentation
 from winkler.values.checks.outline import refuse_unless_round
 from winkler.values.errors import InvalidInput, OutsideValidity
 
-__all__ = ["RubbingBodies", "RubbingPlatedBodies", "peclet_numbers", "refuse_contact"]
-
 HIGHEST_PECLET = 1e8
 """Peclet number above which rounding matters in means over the contact."""
 

@@ -30,8 +30,6 @@ from winkler.values.checks.number_checks import FINITE_QUANTITY
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["LineFrictionHeating", "LineFrictionHeatingSolution"]
-
 
 @value
 class LineFrictionHeating(StripHeating[Q]):

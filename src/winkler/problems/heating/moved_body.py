@@ -15,8 +15,6 @@ from winkler.numerics.fields.stacked_source import StackedSource
 from winkler.numerics.fields.thick_body import Source, ThickBand, ThickBody
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["HeatBody", "diffusivities", "moved_body", "moved_under_band", "top", "warmed"]
-
 HeatBody = ThermalConductor | Plated
 """A thick body of one conductor, or a plated one."""
 

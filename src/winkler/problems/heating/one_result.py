@@ -11,8 +11,6 @@ import numpy as np
 from winkler.numerics.types import Quantity
 from winkler.values.errors import InvalidInput
 
-__all__ = ["contact_at", "one_problem", "one_result"]
-
 Place = tuple[int, ...]
 SPEEDS = ("first_speed", "second_speed")
 Problem = TypeVar("Problem", bound=Any)

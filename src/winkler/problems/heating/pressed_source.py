@@ -26,8 +26,6 @@ from winkler.profiles.ellipse import CurvedBodies
 from winkler.values.errors import OutsideValidity
 from winkler.values.value import value
 
-__all__ = ["PressedSource"]
-
 MARGIN = 1.05
 """Half the side of a turned map over how far the ellipse of the semi-axes reaches."""
 FEWEST, MOST = 96, 384

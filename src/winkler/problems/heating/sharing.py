@@ -13,8 +13,6 @@ from winkler.numerics.types import Array, Quantity
 from winkler.problems.heating.estimates import first_share, idle_share, shared
 from winkler.problems.heating.moved_body import HeatBody
 
-__all__ = ["SharedHeat"]
-
 Motion = tuple[float, float]
 """Speed [m/s], and angle of the velocity to x [rad]."""
 

@@ -42,8 +42,6 @@ from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["FrictionHeating", "FrictionHeatingSolution"]
-
 
 @value
 class FrictionHeating(RubbingPlatedBodies, PerLoad[Q]):

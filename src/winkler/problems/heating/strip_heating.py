@@ -22,8 +22,6 @@ from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Note
 from winkler.values.value import words
 
-__all__ = ["StripHeating", "StripTemperatures"]
-
 SLOWEST = 1e-8
 """V a / kappa below which a band hardly moves."""
 

@@ -39,8 +39,6 @@ from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["TransientHeating", "TransientHeatingSolution"]
-
 
 @value
 class TransientHeating(RubbingBodies):

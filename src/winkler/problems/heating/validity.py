@@ -22,17 +22,6 @@ from winkler.problems.normal.yield_of_pressure import ellipse_yield_notes
 from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = [
-    "EVEN",
-    "RUBBED",
-    "STEADY_SOURCE",
-    "heating_notes",
-    "moving_notes",
-    "oscillation_notes",
-    "sliding_contact_notes",
-    "swing_of",
-]
-
 JAEGER = "J. C. Jaeger, Proc. R. Soc. New South Wales 76 (1942) 203-224"
 BLOK = "H. Blok, The flash temperature concept, Wear 6 (1963) 483-494"
 OWN = "own quadrature of the moving source, checked against the sum of point sources"

@@ -52,8 +52,6 @@ from winkler.values.errors import NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
 
-__all__ = ["AdhesiveImpact", "AdhesiveImpactSolution"]
-
 RANGE_ADVICE = Advice("attraction from afar begins before the touch")
 
 

@@ -45,8 +45,6 @@ from winkler.values.checks.number_checks import Finite, NonNegative, Positive, P
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
 
-__all__ = ["Impact", "ImpactSolution"]
-
 
 @value
 class Impact:

@@ -40,8 +40,6 @@ from winkler.problems.impact.motion import ImpactMoment, ImpactProblem, Stage, i
 from winkler.problems.normal.force_curve import NormalCurve
 from winkler.values.errors import NotConverged
 
-__all__ = ["Stuck", "ring", "stages"]
-
 NEWTON_STEPS = 60
 NARROW_RING = 0.1
 """Part of the depth below which a ring of springs is summed by itself, lest nothing be left of it by rounding."""

@@ -12,8 +12,6 @@ from winkler.numerics.equations.marching import IntegratedStates, StopCondition,
 from winkler.numerics.types import Array
 from winkler.problems.normal.force_curve import NormalCurve
 
-__all__ = ["ImpactMoment", "ImpactProblem", "Stage", "integrate", "integrate_stuck", "stuck_stage", "turning"]
-
 PRECISION = 3e-14
 """Relative error allowed per step."""
 

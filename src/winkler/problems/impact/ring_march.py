@@ -22,8 +22,6 @@ from winkler.problems.impact.motion import ImpactProblem, integrate
 from winkler.problems.ring_slip.ring_table import PressedStep, RingTable, SlidingRings, pressed_step, slide, stored
 from winkler.values.errors import NotConverged
 
-__all__ = ["RingMarch", "march_rings"]
-
 STEPS = 400
 """Steps while the bodies approach, at a mobility of 1/m; more in proportion to the frequency along the surface."""
 MOST_STEPS = 20_000

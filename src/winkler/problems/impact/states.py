@@ -6,8 +6,6 @@ from winkler.numerics.types import PerLoad, Q
 from winkler.problems.adhesion.cycle_states import AdhesiveJump
 from winkler.values.value import value, words
 
-__all__ = ["AdhesiveImpactHistory", "AdhesiveImpactState", "ImpactHistory", "ImpactStage", "ImpactState"]
-
 
 @value
 class ImpactStage:

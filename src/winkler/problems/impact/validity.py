@@ -17,8 +17,6 @@ from winkler.values.checks.number_checks import Whole
 from winkler.values.errors import InvalidInput
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["PLANAR", "Moments", "gravity_note", "refuse_unlikely_spin", "slip_notes"]
-
 LARGEST_FRICTION = 1e5
 """More friction than this differs from no slip by rounding alone."""
 

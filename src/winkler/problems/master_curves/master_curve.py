@@ -30,8 +30,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["MasterCurve", "MasterCurveSolution", "ShiftedBy"]
-
 MOST_TEMPERATURES = 200
 ROUNDS = 5
 """Times that the grid of relaxation times is laid anew."""

@@ -11,8 +11,6 @@ from winkler.numerics.types import Array
 from winkler.problems.master_curves.temperature_groups import reached_times
 from winkler.values.validity import Assumption, Note, Standing, standing_of
 
-__all__ = ["contradiction_notes", "determined_note", "master_curve_notes", "shifted_by_note"]
-
 SIGNIFICANT = 3.0
 """Standard errors by which the correlation of neighbouring residuals differs from zero."""
 NOTICED = 0.5

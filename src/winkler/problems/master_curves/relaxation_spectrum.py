@@ -23,8 +23,6 @@ from winkler.values.checks.number_checks import Whole
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["RelaxationSpectrum", "SpectrumSolution"]
-
 
 @value
 class RelaxationSpectrum:

@@ -26,8 +26,6 @@ from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import words
 
-__all__ = ["ShiftedSolid"]
-
 
 class ShiftedSolid(SpectrumSolid):
     """What follows from a spectrum and shifts; its fields are those of `MasterCurveSolution`."""

@@ -13,8 +13,6 @@ from winkler.problems.master_curves.temperature_groups import longest_run
 from winkler.values.checks.number_checks import POSITIVE, Numbers, checked
 from winkler.values.value import words
 
-__all__ = ["Covariances", "ModulusBand", "SpectrumSolid"]
-
 DETERMINED = math.log(2.0)
 """Standard error of the logarithm of a modulus up to which it is determined."""
 NEGLIGIBLE = 1e-9

@@ -9,8 +9,6 @@ import numpy as np
 from winkler.numerics.springs.spectrum_response import Measurements, Response
 from winkler.numerics.types import Array
 
-__all__ = ["grouped", "in_own_units", "longest_run", "reached_times", "spread_times"]
-
 DECADES_BEYOND = 1.0
 """Decades of relaxation times beyond the measured ones."""
 MOST_TERMS = 240

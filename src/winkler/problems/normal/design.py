@@ -22,8 +22,6 @@ from winkler.numerics.types import Array, ArrayLike, Curve
 from winkler.profiles.designed import Designed
 from winkler.values.errors import InvalidInput, OutsideValidity
 
-__all__ = ["design_for_pressure", "design_profile"]
-
 LEAST_POINTS = 6
 TOLERANCE = 1e-10
 """Least error of f' on its panels, relative to the steepest slope."""

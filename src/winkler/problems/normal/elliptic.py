@@ -52,8 +52,6 @@ from winkler.values.errors import NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["EDGE_ERROR", "EllipticIndentation", "EllipticSolution", "pressed_ellipse", "pressed_yield_notes"]
-
 ELLIPSE = Note(
     Assumption.RESPONSE,
     Standing.EXACT,

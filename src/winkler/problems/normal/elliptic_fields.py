@@ -16,8 +16,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.value import value, words
 
-__all__ = ["EllipticFields", "below_ellipse", "greatest_below_ellipse", "solid_below", "traction_of"]
-
 
 @value
 class EllipticFields(BodyFields):

@@ -28,8 +28,6 @@ import numpy as np
 from winkler.numerics.equations.highest import highest
 from winkler.numerics.types import Array
 
-__all__ = ["EllipticPeak", "axis_stresses", "greatest_under_ellipse"]
-
 DEPTHS = np.geomspace(1e-4, 4.0, 49)
 
 

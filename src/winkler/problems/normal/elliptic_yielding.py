@@ -33,8 +33,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["EllipticYieldOnset", "EllipticYieldOnsetSolution"]
-
 FRICTIONLESS = Coulomb(0.0)
 
 

@@ -33,17 +33,6 @@ from winkler.problems.normal.overlap import rises
 from winkler.problems.normal.solve_contact import at_depth, at_end, flat_radius
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = [
-    "GAUSS_POINTS",
-    "GAUSS_WEIGHTS",
-    "SHALLOWER",
-    "NormalCurve",
-    "NormalCurves",
-    "deepest",
-    "normal_curve",
-    "rough_depth",
-]
-
 DEPTH_MARGIN = 1e-3
 """How far beyond the greatest depth the curve is computed, for the trial steps of the march."""
 SHALLOWER = 32.0

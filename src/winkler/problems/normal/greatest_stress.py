@@ -39,8 +39,6 @@ from winkler.problems.normal.strong_parts import StrongPart
 from winkler.profiles.power import Paraboloid
 from winkler.values.checks.outline import refuse_unless_round
 
-__all__ = ["INTERFACE_OFFSET", "GreatestStress", "greatest_stress", "least_depth", "sharp_places", "stress_in_plane"]
-
 EXCLUDED_DISTANCE = 0.1
 """Distance from a sharp place within which stresses do not count, in contact radii."""
 INFINITE = ", so the elastic stress is infinite there and it yields there"

@@ -36,8 +36,6 @@ from winkler.values.errors import NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value
 
-__all__ = ["Indentation", "IndentationSolution", "peak_pressure"]
-
 
 @value
 class Indentation(PerLoad[Q]):

@@ -8,8 +8,6 @@ from winkler.foundation.bed import Bed
 from winkler.media.body_of import thickness_of
 from winkler.numerics.equations.roots import rough_root
 
-__all__ = ["own_length", "shape_length"]
-
 RADIUS_SHARE = 0.02
 """Of the radius of a body, a contact of ordinary width."""
 LAYERED_SHARE = 0.25

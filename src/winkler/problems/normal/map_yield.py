@@ -15,8 +15,6 @@ from winkler.problems.normal.yield_statement import share_of
 from winkler.problems.pressed_shape.surface_load import SurfaceLoad
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["Body", "field_below", "greatest_in_parts", "greatest_share", "greatest_stress", "map_yield_notes"]
-
 MISES = "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582; A. E. H. Love, doi:10.1098/rsta.1929.0009"
 ROUNDING = 1e-9
 """Part of the side of a map below which a place is zero, in words."""

@@ -47,8 +47,6 @@ from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["Directions", "NearlyRoundIndentation", "NearlyRoundSolution"]
-
 OVAL_RATIO = 1.5
 """Ratio of the largest to the smallest radius beyond which the contour is off by some per cent.
 

@@ -15,8 +15,6 @@ from winkler.media.medium import LEAST_SURFACE_RISE
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["RISING_SAMPLES", "SLOPE_ROUNDING", "SLOPE_SAMPLES", "falling_kinks", "refuse_overlap", "rises"]
-
 SLOPE_SAMPLES = 4096
 """How finely g' is searched for changes of sign; narrower waves are left out."""
 RISING_SAMPLES = 1024

@@ -21,8 +21,6 @@ from winkler.problems.normal.overlap import SLOPE_SAMPLES
 from winkler.problems.normal.single_contact import MOST_TURNING_POINTS, too_many
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["forces", "radii_at_depth", "radii_at_force"]
-
 
 class RisingInterval(NamedTuple):
     """An interval of x on which g rises above everything before it."""

@@ -24,17 +24,6 @@ from winkler.numerics.types import Array
 from winkler.problems.normal.overlap import SLOPE_SAMPLES, falling_kinks, refuse_overlap
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = [
-    "MOST_TURNING_POINTS",
-    "ended",
-    "pulls",
-    "refuse_tension",
-    "refuse_unless_disc",
-    "surely_pressed",
-    "too_many",
-    "unfinished",
-]
-
 MOST_TURNING_POINTS = 400
 """More turning points than this cannot be distinguished by the samples."""
 QUICK_NODES = 24, 40

@@ -34,8 +34,6 @@ from winkler.problems.normal.overlap import RISING_SAMPLES, SLOPE_ROUNDING, fall
 from winkler.problems.normal.single_contact import ended, pulls, refuse_tension, surely_pressed
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["at_depth", "at_end", "at_force", "at_radius", "end_of", "flat_radius", "indices_of"]
-
 FARTHER = 1.1
 """How much farther than where the power of two values leads a place beyond a load is sought."""
 

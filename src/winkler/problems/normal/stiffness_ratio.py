@@ -10,8 +10,6 @@ from winkler.foundation.footprint import EllipticOutline
 from winkler.loading.path import Path
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["alike", "common_ratio", "refuse_plane", "stiffness_ratios"]
-
 RATIO_TOLERANCE = 1e-9
 """Springs whose ratio differs by less, relatively, are alike."""
 PLANE_TOLERANCE = 0.01

@@ -11,8 +11,6 @@ from winkler.materials.graded import PowerLawGraded
 from winkler.media.offers import offers
 from winkler.media.relaxing.relaxing_medium import RelaxingMedium
 
-__all__ = ["StrongPart", "elastic_parts", "solid_parts", "strong_parts"]
-
 ELASTIC = (Elastic, TransverselyIsotropic, PowerLawGraded)
 """Solids whose stresses are known."""
 

@@ -5,8 +5,6 @@ from __future__ import annotations
 from winkler.problems.normal.strong_parts import strong_parts
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["MISES", "relaxing_yield", "unknown_yield"]
-
 MISES = "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582; largest von Mises stress of the restored field"
 
 

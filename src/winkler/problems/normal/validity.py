@@ -14,8 +14,6 @@ from winkler.problems.normal.single_contact import unfinished
 from winkler.problems.normal.yield_statement import FRICTIONLESS, SurfaceFriction, yield_notes_of_bed
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["contact_notes", "indentation_notes", "large_body_note", "shape_notes", "steepness_note"]
-
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, doi:10.1017/CBO9781139171731"
 SLOPE_ERROR = 0.4
 """Part of the load that a slope of one costs at most: Hay's correction under a cone on a body with nu = 0."""

@@ -14,8 +14,6 @@ from winkler.problems.normal.unknown_yield import MISES, unknown_yield
 from winkler.problems.normal.yield_statement import share_of
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["ellipse_yield_notes", "spots_yield_notes"]
-
 THOMAS = "H. R. Thomas, V. A. Hoersch, Univ. Illinois Eng. Exp. Station Bulletin 212 (1930); R. von Mises (1913)"
 HERTZ = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sec. 6.1, doi:10.1017/CBO9781139171731"
 SACKFIELD = "A. Sackfield, D. A. Hills, J. Strain Anal. 18 (1983) 107-110, doi:10.1243/03093247V182107"

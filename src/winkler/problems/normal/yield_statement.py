@@ -30,16 +30,6 @@ from winkler.profiles.power import Paraboloid
 from winkler.values.errors import NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = [
-    "FRICTIONLESS",
-    "SurfaceFriction",
-    "elastic_note",
-    "share_of",
-    "slid_depth",
-    "yield_notes",
-    "yield_notes_of_bed",
-]
-
 SACKFIELD = "A. Sackfield, D. A. Hills, J. Strain Anal. 18 (1983) 107-110, doi:10.1243/03093247V182107"
 HAMILTON = "G. M. Hamilton, Proc. Inst. Mech. Eng. C 197 (1983) 53, doi:10.1243/PIME_PROC_1983_197_076_02"
 RADIUS_SHARES = (0.25, 0.5, 0.75, 1.0)

@@ -22,8 +22,6 @@ from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["YieldOnset", "YieldOnsetSolution", "onset_of_part", "part_that_yields"]
-
 FRICTIONLESS = Coulomb(0.0)
 
 

@@ -12,19 +12,6 @@ import numpy as np
 
 from winkler.numerics.jit import compiled
 
-__all__ = [
-    "ball_force",
-    "ball_radius",
-    "bound_of_twist",
-    "force_of_ball",
-    "radius_of_ball",
-    "tilting_of_ball",
-    "tilting_stiffness",
-    "twisting_bound",
-    "twisting_of_ball",
-    "twisting_stiffness",
-]  # fmt: skip
-
 TWIST_SHARE = 3.0 * math.pi / 16.0
 """Moment of a sliding twist over mu F a."""
 

@@ -16,8 +16,6 @@ from winkler.problems.particles.ball_forces import (
 )
 from winkler.problems.particles.table_step import all_finite
 
-__all__ = ["BALL_NUMBERS", "step_ball"]
-
 BALL_NUMBERS = 9
 """Of a step: normal force, shear force (2), torque, moment of rolling (2), radius, energy stored, heat so far."""
 

@@ -27,8 +27,6 @@ from winkler.values.errors import NotConverged
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["ContactLaw", "ContactLawSolution", "first_radius"]
-
 FIRST_INTERVALS = 8
 """Intervals at the beginning, closer towards the touch."""
 MOST_HALVINGS, MOST_ROWS = 24, 100_000

@@ -37,8 +37,6 @@ from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["Contacts"]
-
 
 @value
 class BallContacts:

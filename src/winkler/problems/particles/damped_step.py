@@ -14,8 +14,6 @@ from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 from winkler.problems.particles.table_step import follow_table
 
-__all__ = ["step_damped"]
-
 
 @compiled
 def step_damped(

@@ -33,8 +33,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["ElasticPlasticParticle", "ParticlePress", "ParticleSolution", "ParticleState"]
-
 ZUNKER = "W. Zunker, K. Kamrin, J. Mech. Phys. Solids 183 (2024) 105492, doi:10.1016/j.jmps.2023.105492"
 ENGINEERING = Note(
     Assumption.RESPONSE,

@@ -21,8 +21,6 @@ from winkler.problems.particles.particle_edge import potential
 from winkler.problems.particles.particle_rules import particle_depth
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["ParticleHistory", "ParticleMarch"]
-
 
 class ParticleHistory(NamedTuple):
     """The memory of a particle.

@@ -25,8 +25,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["BallImpacts", "BallImpactsSolution"]
-
 HERTZ_DEPTH = (15.0 / 16.0) ** 0.4
 HERTZ_DURATION = 2.868265699
 """Of Hertz' impact: d_max and the duration in terms of m, v, E* and R."""

@@ -11,11 +11,6 @@ from __future__ import annotations
 
 import math
 
-__all__ = [
-    "FULL_CONTACT_ANGLE", "Springs5", "balanced", "critical_angle", "held_edge", "least_stable",
-    "potential", "spring_sums", "stable_edge", "with_surface",
-]  # fmt: skip
-
 Springs5 = tuple[float, float, float, float, float]
 ANGLE_SERIES = tuple((-1) ** k * (4.0**k - 4.0) / (3.0 * math.factorial(2 * k + 1)) for k in range(13, 1, -1))
 """Of the angle less its value by the sine, over its fifth power: factors of powers of its square, the highest first."""

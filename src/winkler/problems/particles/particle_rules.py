@@ -20,11 +20,6 @@ from winkler.problems.particles.particle_edge import (
     stable_edge,
 )
 
-__all__ = [
-    "Particle", "ParticleMemory", "particle_depth", "particle_springs", "yield_force", "yield_pressure", "yield_square",
-    "yield_work",
-]  # fmt: skip
-
 Particle = tuple[float, float, float, float, float, float, float, float, float, float]
 """R [m], Y, G [Pa], nu, E_c [Pa], depth of yield [m], A and b before it [m], works of closing and opening [J/m^2]."""
 ParticleMemory = tuple[float, float, float, bool, float]

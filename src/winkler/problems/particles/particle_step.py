@@ -8,8 +8,6 @@ from winkler.numerics.types import Array
 from winkler.problems.particles.particle_edge import spring_sums, with_surface
 from winkler.problems.particles.particle_rules import particle_depth, particle_springs
 
-__all__ = ["step_particle"]
-
 
 def step_particle(law: Array, memory: Array, motion: Array, answer: Array) -> None:
     """Move one particle by one step of its depth.

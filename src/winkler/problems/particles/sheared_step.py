@@ -11,8 +11,6 @@ from winkler.numerics.springs.slip_plane import march_plane
 from winkler.numerics.types import Array
 from winkler.problems.particles.table_step import all_finite, follow_table
 
-__all__ = ["own_depth", "step_sheared"]
-
 
 @compiled
 def own_depth(gap: Array, corners: Array, slopes: Array, force: float, depth: float) -> float:

@@ -17,8 +17,6 @@ import numpy as np
 from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 
-__all__ = ["all_finite", "cubic_energy", "follow_table", "monotone_intervals", "step_attracted", "step_table"]
-
 
 @compiled
 def cubic_energy(force: float, first: float, mean: float, last: float, width: float, t: float) -> float:

@@ -6,8 +6,6 @@ from winkler.numerics.types import Array
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
 
-__all__ = ["PLANE", "SIMILAR", "SPRINGS", "UNCOUPLED", "ContactTrace"]
-
 POPOV = "V. L. Popov, M. Hess, Method of Dimensionality Reduction, Springer 2015, doi:10.1007/978-3-642-53876-6"
 SPRINGS = Note(
     Assumption.RESOLUTION,

@@ -20,8 +20,6 @@ from winkler.values.checks.number_checks import Finite, Positive
 from winkler.values.validity import Note
 from winkler.values.value import value, words
 
-__all__ = ["Dent", "dimple_integral"]
-
 SERIES_BELOW = 0.3
 """Part of the radius below which the dimple and the integral of its transform are summed as series: their closed forms
 lose digits."""

@@ -20,8 +20,6 @@ from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["DentLimit", "DentLimitSolution"]
-
 
 @value
 class DentLimit:

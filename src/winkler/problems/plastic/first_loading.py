@@ -51,18 +51,6 @@ from winkler.problems.plastic.yielding_half import Parts, YieldingHalf, borne_to
 from winkler.values.checks.outline import refuse_unless_round
 from winkler.values.errors import InvalidInput, OutsideValidity
 
-__all__ = [
-    "START_SHARE",
-    "FirstLoading",
-    "GreatestLoad",
-    "LoadingTable",
-    "first_loading",
-    "integral_of_square",
-    "refuse_strengths",
-    "refuse_unknown",
-    "stored_energy",
-]
-
 POINTS_PER_EFOLD = 48
 """Points of the curve per factor e of the contact radius; the cubics between them give first guesses, and the work to
 1e-7."""

@@ -63,8 +63,6 @@ from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["PlasticImpact", "PlasticImpactSolution"]
-
 TIME_NODES = 24
 """Nodes of the sums over time between two places where the curve bends."""
 AT_ONCE = 2000

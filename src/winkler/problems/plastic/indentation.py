@@ -34,15 +34,6 @@ from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = [
-    "PlasticIndentation",
-    "PlasticPress",
-    "PlasticSolution",
-    "PlasticState",
-    "law_notes",
-    "refuse_other_shapes",
-]
-
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, chapter 6, doi:10.1017/CBO9781139171731"
 LAW = Note(
     Assumption.RESPONSE,

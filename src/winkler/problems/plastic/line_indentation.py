@@ -52,8 +52,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["LinePlasticIndentation", "LinePlasticSolution"]
-
 POINTS_PER_EFOLD, NODES = 48, 4
 LEFT_AT_EDGE = 1.0 - math.log(2.0)
 """By which part an even pressure bends the surface less between middle and edge than that of Hertz: what a body does

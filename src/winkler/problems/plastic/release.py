@@ -17,8 +17,6 @@ from winkler.numerics.types import Array
 from winkler.problems.plastic.dent import dimple_integral
 from winkler.problems.plastic.first_loading import GreatestLoad, integral_of_square
 
-__all__ = ["Release"]
-
 EDGE = 0.5 * math.pi
 INSIDE = 1.0 - 1e-12
 

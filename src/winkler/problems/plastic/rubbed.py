@@ -24,8 +24,6 @@ from winkler.foundation.on_medium import UnderProfile
 from winkler.numerics.types import Array
 from winkler.problems.plastic.first_loading import FirstLoading, GreatestLoad
 
-__all__ = ["NormalMotion", "Sheared", "sheared"]
-
 SPRINGS = 200
 """Along the greatest contact radius."""
 

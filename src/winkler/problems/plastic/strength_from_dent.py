@@ -26,8 +26,6 @@ from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["Blow", "Restitution", "StrengthFromDent", "StrengthFromDentSolution"]
-
 STEP = 1e-4
 """Relative change of load and strength over which the dent is differentiated."""
 NEXT_STRENGTH = 0.5

@@ -28,8 +28,6 @@ from winkler.numerics.types import Array
 from winkler.problems.plastic.yielded_response import Departure, Yielded
 from winkler.problems.plastic.yielding_half import YieldingHalf
 
-__all__ = ["GREATEST_POISSON", "LEAST_POISSON", "LineHalf", "beyond_line_tables", "line_onset"]
-
 LEAST_POISSON, GREATEST_POISSON = 0.2, 0.45
 KNOTS = (0.0, 0.2231, 0.4055, 0.6931, 1.0986, 1.6094, 2.0794, 2.5649, 2.9957)
 """Logarithms of x over its value at the onset of yield."""

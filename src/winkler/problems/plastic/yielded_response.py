@@ -27,19 +27,6 @@ import numpy as np
 from winkler.numerics.equations.roots import between
 from winkler.numerics.types import Array
 
-__all__ = [
-    "GREATEST_POISSON",
-    "LEAST_POISSON",
-    "Departure",
-    "Yielded",
-    "ball_onset",
-    "beyond_tables",
-    "round_part",
-    "strain_of_pressure",
-    "strain_of_shape",
-    "yielded",
-]
-
 BALL_POISSON = (0.0, 0.3, 0.45)
 BALL_KNOTS = (0.0, 0.1500, 0.3000, 0.5000, 0.7500, 1.0500, 1.4000, 1.8000, 2.3000, 2.8600)
 """Logarithms of x over its value at the onset of yield."""

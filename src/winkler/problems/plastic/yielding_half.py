@@ -20,8 +20,6 @@ from winkler.problems.plastic.yielded_response import (
 )
 from winkler.values.errors import NotConverged
 
-__all__ = ["LEAST_LOAD", "Parts", "YieldingHalf", "borne_together", "divided"]
-
 SHARE_POWER = 1.5
 """Power of its share of the gap with which a body counts for the shape of the pressure, from finite elements of two
 bodies: the one that yields more decides."""

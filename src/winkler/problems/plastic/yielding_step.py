@@ -20,8 +20,6 @@ from winkler.numerics.jit import compiled
 from winkler.numerics.types import Array
 from winkler.problems.particles.table_step import follow_table
 
-__all__ = ["step_yielding"]
-
 
 @compiled
 def cubic_between(depth: Array, rows: Array, slopes: Array, d: float) -> float:

@@ -26,8 +26,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["HeldProfile", "PoroelasticRelaxation", "PoroelasticSolution", "held_contact", "shape_of"]
-
 HeldProfile = Paraboloid | Sphere | Cone | FlatPunch
 
 

@@ -22,8 +22,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = ["GREATEST_POISSON", "relaxed_share"]
-
 TIMES = np.geomspace(1e-3, 1e3, 25)
 """tau of the tables."""
 POISSON = np.array([0.0, 0.1, 0.2, 0.3, 0.4, 0.49])

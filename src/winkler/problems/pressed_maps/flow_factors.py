@@ -18,8 +18,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.limits import MOST_FILM_PIXELS
 from winkler.values.value import value, words
 
-__all__ = ["FlowFactors", "flow_factors"]
-
 
 @value
 class FlowFactors:

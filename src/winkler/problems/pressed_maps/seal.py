@@ -32,8 +32,6 @@ from winkler.values.limits import MOST_FILM_PIXELS
 from winkler.values.validity import Assumption, Note, Standing, standing_of
 from winkler.values.value import value, words
 
-__all__ = ["Seal", "SealSolution", "seal_notes"]
-
 
 @value
 class Seal(PerLoad[Q]):

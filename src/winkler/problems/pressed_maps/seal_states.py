@@ -12,8 +12,6 @@ from winkler.numerics.films.thin_film import FilmFlow, film_flow
 from winkler.numerics.types import Array
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["FilmPassage", "factor_of", "gap_of", "passage"]
-
 
 class FilmPassage(NamedTuple):
     """What a film lets through along one direction.

@@ -15,8 +15,6 @@ from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.topography import Topography
 from winkler.values.errors import InvalidInput
 
-__all__ = ["measured", "on_second_points", "refuse_without_second_points", "spread"]
-
 Measured = TypeVar("Measured")
 FEWEST_PIXELS = 8
 """Along a side, so that four are left."""

@@ -32,8 +32,6 @@ from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["ThermalJoint", "ThermalJointSolution"]
-
 YOVANOVICH = "M. M. Yovanovich, IEEE Trans. Compon. Packag. Technol. 28 (2005) 182-206, doi:10.1109/TCAPT.2005.848483"
 
 

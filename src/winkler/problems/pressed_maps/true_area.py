@@ -31,8 +31,6 @@ from winkler.problems.rough.surface_states import SurfaceState
 from winkler.values.validity import Assumption, Note, standing_of
 from winkler.values.value import value, words
 
-__all__ = ["TrueArea", "TrueAreaSolution"]
-
 SMALL_CHANGE, LARGE_CHANGE = 0.02, 0.5
 """Relative change of the area or peak pressure from every second point at which the grid is no more fine, and lost."""
 

@@ -7,8 +7,6 @@ from collections.abc import Callable
 
 from winkler.values.errors import NotConverged
 
-__all__ = ["force_at_yield"]
-
 MOST_TRIALS = 20
 SHARE_TOLERANCE = 1e-4
 """By which part the greatest stress may differ from the strength."""

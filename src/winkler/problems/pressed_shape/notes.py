@@ -6,8 +6,6 @@ from winkler.media.mapped import MappedMedium
 from winkler.media.offers import GradedInDepth, PowerOfDepth, offers
 from winkler.values.validity import Assumption, Note, Standing, standing_of
 
-__all__ = ["PIXELS_ON_LAYERS", "SULLIVAN", "graded_notes", "pixel_notes"]
-
 SULLIVAN = "T. C. O'Sullivan, R. B. King, J. Tribol. 110 (1988) 235-240, doi:10.1115/1.3261591"
 PIXELS_ON_LAYERS = Note(
     Assumption.RESPONSE,

@@ -27,8 +27,6 @@ from winkler.numerics.types import Array, ArrayLike
 from winkler.problems.pressed_shape.surface_load import SurfaceLoad
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["PIXELS", "Gap", "PressedMap", "edge_error", "grid_error", "pressed_levels"]
-
 Gap: TypeAlias = Callable[[Array, Array], Array]
 """Takes x (nx, 1) and y (1, ny) [m], returns the distance of the undeformed bodies (nx, ny) [m]; zero at the origin."""
 PIXELS = 192

@@ -13,8 +13,6 @@ from winkler.problems.pressed_shape.pressed_map import PressedMap
 from winkler.profiles.profile import Profile
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["RoundedBody"]
-
 BEYOND = 10.0
 """Gap beyond the reach of the profiles over the greatest height within it: nothing touches there."""
 FIRST_REACH = 0.01

@@ -15,8 +15,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.limits import MOST_NUMBERS
 from winkler.values.value import value, words
 
-__all__ = ["SurfaceLoad"]
-
 PADDING = 4
 """Numbers of a transform over the pixels of a map that stands alone."""
 

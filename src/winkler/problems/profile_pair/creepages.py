@@ -19,8 +19,6 @@ from winkler.numerics.types import Array
 from winkler.problems.profile_pair.placing import PlacedBody
 from winkler.problems.rolling.creepage import Creepage
 
-__all__ = ["NO_DRIFT", "Drift", "creepage_at", "creepages_along"]
-
 
 class Drift(NamedTuple):
     """How the upper body moves while the pair rolls, beside its own turning.

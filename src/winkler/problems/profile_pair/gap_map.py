@@ -10,8 +10,6 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.problems.profile_pair.placing import PlacedBody, Placing
 
-__all__ = ["GapMap", "Window", "windows"]
-
 FINE_ARC = 4001
 """Places along a window's arc from which the pixels' are interpolated."""
 MARGIN = 0.06

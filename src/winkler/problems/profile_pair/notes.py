@@ -15,8 +15,6 @@ from winkler.problems.pressed_shape.surface_load import SurfaceLoad
 from winkler.problems.profile_pair.patch import ProfilePatch
 from winkler.values.validity import Assumption, Note, Standing, standing_of
 
-__all__ = ["pair_notes", "placed_notes", "yield_of_patches"]
-
 POLONSKY = "I. A. Polonsky, L. M. Keer, Wear 231 (1999) 206-219, doi:10.1016/S0043-1648(99)00113-1"
 KALKER = "J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9"
 PIXELS_ON_HALF_SPACES = Note(

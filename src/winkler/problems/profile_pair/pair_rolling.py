@@ -39,8 +39,6 @@ from winkler.values.errors import NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing, standing_left, standing_of
 from winkler.values.value import value, words
 
-__all__ = ["ProfilePairRolling", "ProfilePairRollingSolution"]
-
 MOST_TRIALS = 20
 FORCE_TOLERANCE = 1e-5
 """Part of the vertical force to which pressures and friction balance it."""

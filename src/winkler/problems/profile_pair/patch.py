@@ -17,8 +17,6 @@ from winkler.problems.rolling.creepage import Creepage
 from winkler.problems.subsurface.below_surface import BelowSurface
 from winkler.values.value import value, words
 
-__all__ = ["ProfilePatch", "patches_of"]
-
 LEAST_SHARE = 1e-6
 """Part of the force of a window that a patch must bear: less is rounding."""
 

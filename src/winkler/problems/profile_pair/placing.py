@@ -19,8 +19,6 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.profiles.sections.cross_profile import CrossProfile
 
-__all__ = ["PlacedBody", "Placing", "lower_body", "upper_body"]
-
 NEWTON_STEPS = 8
 """Of the search for a surface along a line."""
 ROUNDING = 1e-15

@@ -12,8 +12,6 @@ from winkler.problems.profile_pair.placing import PlacedBody, Placing, lower_bod
 from winkler.problems.profile_pair.pressing import PressedWindows, pressed_by_drop, pressed_by_force
 from winkler.values.errors import InvalidInput
 
-__all__ = ["PlacedPair", "placed_bodies", "pressed_pair"]
-
 
 class PlacedPair(NamedTuple):
     """Two bodies pressed on each other.

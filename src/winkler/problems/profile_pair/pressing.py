@@ -16,8 +16,6 @@ from winkler.problems.profile_pair.gap_map import GapMap, windows
 from winkler.problems.profile_pair.placing import PlacedBody, Placing
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["PressedWindows", "Region", "change_of", "pressed_by_drop", "pressed_by_force"]
-
 ROUNDS = 3
 """How often windows that are far from each other are solved again with what the others sink them."""
 MOST_TRIALS = 30

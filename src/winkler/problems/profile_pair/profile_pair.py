@@ -31,8 +31,6 @@ from winkler.values.checks.number_checks import Advice, Finite, NonNegative, Pos
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["ProfilePair", "ProfilePairSolution"]
-
 ONE_LOAD = Condition(
     lambda load: np.ndim(next(iter(vars(load).values()))) == 0 and float(next(iter(vars(load).values()))) > 0.0,
     "give Force(F) or Depth(d) with one positive number",

@@ -35,8 +35,6 @@ from winkler.problems.surface_rolling.falling import roll_under
 from winkler.values.errors import NotConverged, OutsideValidity
 from winkler.values.value import value, words
 
-__all__ = ["RolledPatch", "rolled_patches"]
-
 
 @value
 class RolledPatch(BelowSurface):

@@ -10,8 +10,6 @@ from winkler.problems.normal.stiffness_ratio import alike, stiffness_ratios
 from winkler.problems.ring_slip.push_notes import push_note
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["IN_CYCLES", "IN_IMPACTS", "STUCK", "moving_ring_notes"]
-
 OUTER_RINGS = (
     "Slip annuli are assumed to lie outside the stick zone. Under a changing normal load some annuli slip inside "
     "it. The reference solution uses annular elements that slip independently of each other, for ratios of contact "

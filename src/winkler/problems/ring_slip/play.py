@@ -12,8 +12,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-__all__ = ["Branches", "Stretch", "followed"]
-
 
 class Stretch(NamedTuple):
     """A part of a branch on the way to one point of a history.

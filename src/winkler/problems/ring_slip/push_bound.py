@@ -27,8 +27,6 @@ from winkler.problems.method import Method
 from winkler.problems.normal.stiffness_ratio import common_ratio
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["PushBound", "exact_ratio", "layers_of_rings", "push_bound", "pushed_body"]
-
 
 def layers_of_rings(bed: Bed) -> PushedWaves | None:
     """Return the medium of a bed on which it is known what rings bear that slide along the surface; else None.

@@ -13,8 +13,6 @@ from winkler.problems.ring_slip.push_bound import pushed_body
 from winkler.problems.ring_slip.ring_notes import TABLES_ERROR
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["push_note", "tables_note"]
-
 
 def push_note(bed: Bed, radius: float) -> Note:
     """Return what is assumed of tractions on layers.

@@ -10,8 +10,6 @@ from winkler.numerics.types import Array
 from winkler.problems.ring_slip.push_bound import layers_of_rings, push_bound
 from winkler.problems.ring_slip.steady_path import FreshSprings, falls
 
-__all__ = ["PushedRings", "pushed_rings"]
-
 
 class PushedRings:
     """The rings of one pressed contact; `winkler.problems.friction.damping_springs.SlippingSprings` in springs.

@@ -13,8 +13,6 @@ from winkler.problems.ring_slip.ring_states import RingState
 from winkler.problems.ring_slip.torsion_march import LOSS_TOLERANCE
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["TABLES_ERROR", "ring_notes"]
-
 TRACTION_ROUNDING = 1e-6
 """Excess of the traction over friction that is none."""
 TABLES_ERROR = 3e-4

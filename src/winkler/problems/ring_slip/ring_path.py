@@ -30,8 +30,6 @@ from winkler.problems.ring_slip.torsion_march import (
 from winkler.problems.ring_slip.torsion_pieces import TwistMemory, fresh
 from winkler.problems.row import CURVED_STEP_TOLERANCE, Reached, Row, follow, over
 
-__all__ = ["ANGLE_TOLERANCE", "RingGoal", "RingMemory", "RingPoint", "RingRow", "ring_points"]
-
 LEVEL_TOLERANCE = 1e-12
 """Part of the level by which two contacts may differ whose bounds are the same."""
 

@@ -16,8 +16,6 @@ from winkler.problems.ring_slip.torsion_pieces import TurnedTwist, TwistMemory
 from winkler.problems.round_march import RoundNormal
 from winkler.values.value import value, words
 
-__all__ = ["BoundOf", "RingState", "TwistedSprings"]
-
 BoundOf = Callable[[Bed, float, float, bool], TwistBound]
 """Returns the bound of bed, coefficient, widest radius [m], and whether the force is prescribed."""
 FIRST_SEAM = 0.1

@@ -20,8 +20,6 @@ from winkler.numerics.types import Array
 from winkler.problems.ring_slip.push_bound import PushBound, pushed_body
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["PressedStep", "RingTable", "SlidingRings", "pressed_step", "ring_table", "slide", "stored"]
-
 RINGS = 300
 """Rings of the widest contact; results err by a few over the square of that."""
 STUCK_NODES = 8

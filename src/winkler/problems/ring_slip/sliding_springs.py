@@ -10,8 +10,6 @@ from winkler.problems.normal.stiffness_ratio import alike, common_ratio, stiffne
 from winkler.problems.ring_slip.push_bound import layers_of_rings
 from winkler.problems.ring_slip.ring_table import RingTable, ring_table
 
-__all__ = ["sliding_springs"]
-
 ONE_RATIO = (
     "under a changing normal load slip is followed where that ratio is the same everywhere, on homogeneous and "
     "power-law media, and on bonded layers and gradings in depth under a body of revolution: give such a bed{remedy}"

@@ -10,8 +10,6 @@ from winkler.numerics.types import Array
 from winkler.problems.ring_slip.ring_table import PressedStep, RingTable, pressed_step, slide
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["STEPS_PER_CYCLE", "CycleSteps", "cycle_steps", "loss_of_cycle"]
-
 STEPS_PER_CYCLE = 400
 """Steps of every oscillation of the quicker motion."""
 MOST_CYCLES = 50

@@ -22,8 +22,6 @@ from winkler.numerics.types import Array
 from winkler.problems.ring_slip.play import Branches, followed
 from winkler.problems.ring_slip.torsion_pieces import TurnedTwist, TurnHistory, TwistMemory
 
-__all__ = ["FreshSprings", "HistoryPoint", "falls", "steady_points"]
-
 CHUNK = 2048
 """So many places are read at a time."""
 BOUND_ROUNDING = 1e-13

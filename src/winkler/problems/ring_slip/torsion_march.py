@@ -17,20 +17,6 @@ from winkler.problems.ring_slip.torsion_memory import TwistAhead, TwistCut, Twis
 from winkler.problems.ring_slip.torsion_pieces import TwistMemory
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = [
-    "LOSS_TOLERANCE",
-    "MOST_HALVINGS",
-    "TORQUE_MARGIN",
-    "TorsionStep",
-    "presses_between",
-    "square",
-    "step_to",
-    "torque_of",
-    "torsion_step",
-    "trapezoid",
-    "unrounded",
-]
-
 LOSS_TOLERANCE = 1e-8
 """Tolerance of the energy lost in a step, relative to the energy stored in it and lost in it."""
 MOST_HALVINGS = 13

@@ -26,8 +26,6 @@ from winkler.numerics.panels.kink_panels import Sample
 from winkler.numerics.types import Array
 from winkler.problems.ring_slip.torsion_pieces import NO_CONTACT, TwistMemory, TwistPiece
 
-__all__ = ["TwistAhead", "TwistCut", "TwistMove", "TwistRing", "slid_along", "stuck_work"]
-
 BOUND_ROUNDING = 3e-13
 """Part of the bound inside the contact by which rounding may exceed it."""
 NARROWEST_RING = 1e-9

@@ -16,8 +16,6 @@ from winkler.numerics.types import Array
 from winkler.problems.ring_slip.play import Branches
 from winkler.values.value import value, words
 
-__all__ = ["NO_CONTACT", "TurnHistory", "TurnedTwist", "TwistMemory", "TwistPiece", "fresh"]
-
 
 class TwistPiece(NamedTuple):
     """A stretch of the contact from `low` to `high` [m], with alpha, beta, sigma, and the contact whose bound b is."""

@@ -11,8 +11,6 @@ from winkler.foundation.torsion_bound import TwistBound
 from winkler.media.offers import GradedInDepth, LayerStack, offers
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["twisted_layer_notes"]
-
 
 def twisted_layer_notes(bed: Bed, radius: float, bound: TwistBound) -> Iterator[Note]:
     """Yield what is assumed of the medium under a twist; nothing of bonded layers and of homogeneous bodies.

@@ -27,8 +27,6 @@ if TYPE_CHECKING:
     from winkler.media.mapped import MappedMedium
     from winkler.problems.rolling.rolled_disc import RolledDisc
 
-__all__ = ["Kalker", "Uncalibrated"]
-
 KALKER = (
     "J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, table E.3, "
     "doi:10.1007/978-94-015-7889-9"

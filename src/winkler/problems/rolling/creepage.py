@@ -20,8 +20,6 @@ from winkler.numerics.types import ZERO, Array, PerLoad, Q, shaped
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["Creepage", "CreepageSolution"]
-
 LARGEST_CREEPAGE = {"longitudinal": 1e9, "lateral": 1e9, "spin": math.inf}
 """Beyond it nothing rolls any more; for spin only the size of the contact decides."""
 UNITS = {"longitudinal": "", "lateral": "", "spin": " in 1/m"}

@@ -14,17 +14,6 @@ import numpy as np
 
 from winkler.numerics.types import Array
 
-__all__ = [
-    "MEASURED_BY",
-    "MEASURED_ON_LAYERS",
-    "ON_LAYERS",
-    "POISSON",
-    "RATIOS",
-    "EllipseDistances",
-    "ball_distances",
-    "ellipse_distances",
-]
-
 MEASURED_BY = (
     "compared with boundary elements (SurfaceRolling) on ellipses with a/b from 0.2 to 5 and Poisson's ratios from 0 "
     "to 0.5, and on a circle with CONTACT's curves"

@@ -15,8 +15,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import OutsideValidity
 from winkler.values.value import value, words
 
-__all__ = ["CreepCoefficients", "RollingPair", "creep_coefficients", "rolling_pair"]
-
 DIGITS = 15
 """Of Poisson's ratio after the point: 0.5 stays within the table."""
 SLENDERNESS = np.arange(1, 11) / 10.0

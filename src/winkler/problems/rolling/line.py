@@ -25,8 +25,6 @@ from winkler.numerics.types import Array
 from winkler.problems.normal.indentation import IndentationSolution
 from winkler.values.value import value, words
 
-__all__ = ["RollingLine", "StickZones"]
-
 SAMPLES = 256
 """Springs on half of the line by which sliding is noticed, evenly spaced."""
 EDGE_HALVINGS = 40

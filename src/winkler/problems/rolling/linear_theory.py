@@ -28,8 +28,6 @@ from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged, OutsideValidity
 from winkler.values.value import value, words
 
-__all__ = ["LinearCreepCoefficients", "linear_creep_coefficients"]
-
 MOST_SLENDER = 50.0
 """Largest ratio of the semi-axes, either way."""
 FIRST_DEGREE, LAST_DEGREE = 16, 256

@@ -35,8 +35,6 @@ from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["OscillatingRolling", "OscillatingRollingSolution", "RockingState"]
-
 DEFAULT_CALIBRATION = Kalker()
 WETTER = (
     "R. Wetter, V. L. Popov, Influence of the alignment of load and oscillation on the frictional shakedown of an "

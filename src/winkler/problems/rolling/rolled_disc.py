@@ -20,8 +20,6 @@ from winkler.numerics.types import Array
 from winkler.problems.rolling.linear_theory import linear_creep_coefficients
 from winkler.problems.rough.compliance import compliance_of
 
-__all__ = ["RolledDisc", "rolled_disc"]
-
 PIXELS = 64
 """Across the disc."""
 STICKING_BOUND = 1e9

@@ -41,8 +41,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["RollingTraction", "SimplifiedRolling", "SimplifiedRollingSolution"]
-
 HALF_BOUND_INTEGRAL = 0.25 * math.pi
 """Half the integral of the bound over the unit disc: sums over it become forces over mu F_N."""
 

@@ -7,8 +7,6 @@ from winkler.laws.varying_friction import FallingFriction
 from winkler.values.errors import InvalidInput
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["idle_speed_notes", "refuse_rest"]
-
 NO_SPEED = Note(
     Assumption.SLIP,
     Standing.EXACT,

@@ -11,8 +11,6 @@ from winkler.numerics.types import Array
 from winkler.problems.rolling.line import RollingLine
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["RollingSprings", "springs"]
-
 
 class RollingSprings(NamedTuple):
     """Springs of a contact, so far apart as the contact moves in one step.

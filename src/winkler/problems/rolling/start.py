@@ -34,8 +34,6 @@ from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["RollingStart", "RollingStartSolution", "RollingState"]
-
 DEFAULT_CALIBRATION = Kalker()
 NO_SHEAR_FORCE = ShearForce(0.0)
 BOUND_ROUNDING = 1e-12

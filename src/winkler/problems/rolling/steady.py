@@ -34,8 +34,6 @@ from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
 
-__all__ = ["Rolling", "RollingSolution", "check_rolling", "rolling_notes", "touching"]
-
 VERMEULEN = "P. J. Vermeulen, K. L. Johnson, J. Appl. Mech. 31 (1964) 338-340"
 DEFAULT_CALIBRATION = Kalker()
 

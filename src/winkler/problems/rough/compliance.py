@@ -14,8 +14,6 @@ from winkler.numerics.transforms.cosine_transform import in_own_lengths
 from winkler.problems.assumptions.coupling import NEGLIGIBLE_COUPLING
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["compliance_of"]
-
 
 def compliance_of(medium: MappedMedium) -> Compliance:
     """Return the compliances of the bodies along their surfaces, lengths of layers in m.

@@ -19,8 +19,6 @@ from winkler.numerics.types import Array
 from winkler.problems.normal.solve_contact import at_depth
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["ContactPoints", "MeasuredSprings", "force_uncertainty", "radii_of", "springs_of"]
-
 FEWEST_PIXELS = 16
 """A contact of fewer determines its stiffness too poorly for a smooth curve."""
 FEWEST_POINTS = 4

@@ -22,8 +22,6 @@ from winkler.values.checks.number_checks import POSITIVE, Numbers
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["ElastomerFriction", "ElastomerFrictionSolution"]
-
 WAVE_NUMBERS = 400
 LI = "Q. Li et al., Phys. Rev. Lett. 111 (2013) 034301, doi:10.1103/PhysRevLett.111.034301"
 DISPUTE = "I. A. Lyashenko, L. Pastewka, B. N. J. Persson, Phys. Rev. Lett. 111 (2013) 189401"

@@ -19,8 +19,6 @@ from winkler.numerics.types import Array
 from winkler.profiles.rough.spectrum import Spectrum, wave_numbers_for
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["conducting_medium", "line_stiffnesses", "moduli_of_waves", "slope_modulus"]
-
 RADII = 129
 """Flat punches between which the logarithm of the stiffness is interpolated."""
 WIDEST_PUNCH = 1000.0

@@ -28,8 +28,6 @@ from winkler.values.checks.number_checks import Advice, Positive, Seed
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["NO_AREA", "RoughContact", "RoughContactSolution"]
-
 LIGHT = 0.2
 """Pressures [E* h'] up to which Persson's mean gap was found within 20 per cent of boundary elements."""
 LINE_OVER_SIDE = 1.1523

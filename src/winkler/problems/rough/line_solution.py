@@ -22,8 +22,6 @@ from winkler.values.limits import MOST_NUMBERS, MOST_SPRINGS
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
 
-__all__ = ["LineSprings", "Realisations", "RoughSolution", "check_ensemble"]
-
 CUT_OFF_ROUNDING = 1e-9
 
 

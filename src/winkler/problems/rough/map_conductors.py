@@ -10,8 +10,6 @@ from winkler.profiles.rough.topography import Topography
 from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["plating_notes", "refuse_bodies"]
-
 THINNEST_SHARE = 1e-7
 """Of the length of the map that a plating must be thick: the pixels resolve nothing thinner."""
 IMAGES = "dense matrices of images of the platings, and the integral equation of a plated disc"

@@ -8,8 +8,6 @@ from winkler.numerics.surfaces.surface_grid import bytes_needed
 from winkler.values.checks.free_memory import free_memory, whole_memory
 from winkler.values.errors import InvalidInput
 
-__all__ = ["refuse_too_large", "state_memory"]
-
 LOG = logging.getLogger(__name__)
 STATED_BYTES = 2**28
 """Memory from which on it is said how much a map takes; less is free on any machine."""

@@ -9,8 +9,6 @@ from winkler.problems.rough.surface_notes import surface_notes
 from winkler.profiles.rough.topography import Topography
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["medium_notes"]
-
 FOLLOWED_SHARE = 0.01
 """Part of the displacement under a wave of sixteen pixels that may be wrong without a word."""
 

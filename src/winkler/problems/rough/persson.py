@@ -25,8 +25,6 @@ from winkler.numerics.types import Array
 from winkler.profiles.rough.spectrum import Spectrum, wave_numbers_for
 from winkler.values.errors import InvalidInput
 
-__all__ = ["area_fraction", "mean_separation", "separation_under"]
-
 ENERGY_SHARE = 0.45
 """Share of the elastic energy that is stored in the asperities, after Yang and Persson (2008)."""
 WAVE_NUMBERS = 2001

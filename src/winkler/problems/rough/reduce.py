@@ -43,8 +43,6 @@ from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing, standing_left
 from winkler.values.value import value
 
-__all__ = ["Reduction", "ReductionSolution", "reduce"]
-
 BARBER = "J. R. Barber, J. Strain Anal. 9 (1974) 230-232, doi:10.1243/03093247V094230"
 LEAST_PIXELS = 200
 """Least number of pixels of the deepest contact."""

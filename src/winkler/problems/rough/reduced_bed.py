@@ -16,8 +16,6 @@ from winkler.problems.rough.reduce import Reduction
 from winkler.profiles.rough.topography import Topography
 from winkler.values.value import value, words
 
-__all__ = ["ReducedBed"]
-
 SMOOTHNESS = 1e-3
 UNKNOWN_OUTLINE = UnknownOutline(
     "a height map",

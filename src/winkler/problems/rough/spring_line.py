@@ -22,8 +22,6 @@ from winkler.numerics.types import Array
 from winkler.values.checks.number_checks import Numbers, Positive
 from winkler.values.value import value, words
 
-__all__ = ["LineStatistics", "RoughLine", "ensemble", "line_seeds"]
-
 QUANTILES = (0.1, 0.9)
 """Quantiles between which eight of ten surfaces lie."""
 

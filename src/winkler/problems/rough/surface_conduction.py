@@ -44,8 +44,6 @@ from winkler.values.limits import MOST_SPRINGS
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["SurfaceConduction", "SurfaceConductionSolution"]
-
 LARGEST_CURVED_SHARE = 0.2
 """Part of the mean square height that a paraboloid may make up before lines of springs, rough alone, mislead."""
 BARBER = "J. R. Barber, Proc. R. Soc. A 459 (2003) 53-66, doi:10.1098/rspa.2002.1038"

@@ -51,8 +51,6 @@ from winkler.values.limits import MOST_NUMBERS
 from winkler.values.validity import Assumption, Note, Standing, standing_of
 from winkler.values.value import value
 
-__all__ = ["SurfaceContact", "SurfaceContactSolution", "hardened_share"]
-
 PULLEN = "J. Pullen, J. B. P. Williamson, Proc. R. Soc. A 327 (1972) 159-173"
 TABOR = "F. P. Bowden, D. Tabor, Proc. R. Soc. A 169 (1939) 391-413"
 AT_HARDNESS = 1.0 - 1e-9

@@ -11,8 +11,6 @@ from winkler.profiles.rough.map_notes import map_notes
 from winkler.profiles.rough.topography import Topography
 from winkler.values.validity import Assumption, Note, Standing, standing_left
 
-__all__ = ["border_notes", "surface_notes"]
-
 YASTREBOV = "V. A. Yastrebov, G. Anciaux, J.-F. Molinari, Tribol. Int. 114 (2017) 161-171"
 STANLEY = "H. M. Stanley, T. Kato, J. Tribol. 119 (1997) 481-485, doi:10.1115/1.2833523"
 ALMQVIST = (

@@ -11,8 +11,6 @@ from winkler.problems.normal.indentation import IndentationSolution
 from winkler.problems.normal.strong_parts import StrongPart
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["NO_CONTACT", "Deepest", "Search", "below_disc"]
-
 NO_CONTACT = "ContactStress: the bodies do not touch, so there are no stresses; press harder."
 
 

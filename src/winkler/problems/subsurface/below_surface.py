@@ -21,8 +21,6 @@ from winkler.problems.which_body import in_first_body
 from winkler.values.checks.place_checks import common_places, finite_places
 from winkler.values.errors import InvalidInput, OutsideValidity
 
-__all__ = ["BelowSurface", "fields_at", "fields_at_depth", "fields_on_plane"]
-
 BESIDE = 1e-9
 """Rounding of places at the border of a map, over its sides."""
 

@@ -37,8 +37,6 @@ from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note, standing_of
 from winkler.values.value import value, words
 
-__all__ = ["ContactStress", "ContactStressSolution", "PartStress"]
-
 FINE, COARSE = 0.05, 0.2
 """Error of stresses up to which they count as fine, and as coarse."""
 

@@ -10,8 +10,6 @@ from winkler.problems.subsurface.below_surface import BelowSurface
 from winkler.problems.subsurface.loaded_history import LoadedMap
 from winkler.values.validity import Note
 
-__all__ = ["LastMap"]
-
 
 class LastMap(BelowSurface):
     """The part of a solution that follows from pressures and tractions of its last state.

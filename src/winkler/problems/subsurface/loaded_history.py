@@ -15,8 +15,6 @@ from winkler.numerics.types import Array
 from winkler.problems.subsurface.traction_frames import FrameKeeper
 from winkler.values.value import value, words
 
-__all__ = ["GatheredMaps", "LoadedMap", "gathered_maps"]
-
 GREATER = 1.0 + 1e-9
 """By which a load exceeds another one that is more than rounding."""
 

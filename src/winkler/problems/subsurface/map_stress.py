@@ -18,8 +18,6 @@ from winkler.problems.subsurface.below_surface import BelowSurface
 from winkler.values.validity import Assumption, Note, Standing, standing_of
 from winkler.values.value import value, words
 
-__all__ = ["MapStress", "MapStressSolution"]
-
 LOVE = "A. E. H. Love, Phil. Trans. R. Soc. A 228 (1929) 377-420, doi:10.1098/rsta.1929.0009"
 FINE, COARSE = 0.01, 0.2
 """Change of the greatest stress from pixels of twice the size up to which they count as fine, and as coarse."""

@@ -10,8 +10,6 @@ from winkler.numerics.surfaces.pressed_box import box_around
 from winkler.numerics.types import Array
 from winkler.values.value import value, words
 
-__all__ = ["FrameKeeper", "TractionFrame", "frame_at"]
-
 MOST_BYTES = 32_000_000
 """Memory of all frames of a history; beyond it every second one is left out."""
 

@@ -51,8 +51,6 @@ from winkler.values.limits import MOST_NUMBERS
 from winkler.values.validity import Assumption, Note, Standing, standing_left
 from winkler.values.value import value, words
 
-__all__ = ["PullOffWithoutRange", "SurfaceAdhesion", "SurfaceAdhesionSolution", "cut_off", "memory_of"]
-
 FAINT = 0.01
 """Part of the strength below which pixels count as not attracted."""
 TOUCHING = 1e-6

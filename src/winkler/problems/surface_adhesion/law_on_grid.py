@@ -19,8 +19,6 @@ from winkler.problems.adhesion.tabor import tabor_parameter
 from winkler.profiles.rough.topography import Topography
 from winkler.values.errors import InvalidInput, OutsideValidity
 
-__all__ = ["AttractionOnGrid", "RangedLaw", "attraction_on_grid", "curvature_radius", "tabor_of_map"]
-
 RangedLaw = ShortRange | Dugdale | ExponentialAttraction | LennardJones
 """What may attract height maps."""
 LEAST_SPAN = {Exponential: 2.0, EightTwo: 2.5, RoundedStep: 4.0}

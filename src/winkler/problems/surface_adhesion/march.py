@@ -13,8 +13,6 @@ import numpy as np
 
 from winkler.numerics.attracted.attracted_surface import AttractedSurface, Rest
 
-__all__ = ["AdhesionMarch", "Leapt", "RestStage"]
-
 JUMP_RATIO = 0.02
 """Energy that is lacking, over force times step, above which a step is halved."""
 SMALLEST_RATIO = 1e-4

@@ -37,8 +37,6 @@ from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["SurfaceConstriction", "SurfaceConstrictionSolution"]
-
 DEFAULT_LAW = WiedemannFranz()
 ROOM_TEMPERATURE = 293.15
 SAME_SHARE = 1e-6

@@ -12,8 +12,6 @@ from winkler.problems.conduction.joule_heating import KOHLRAUSCH
 from winkler.problems.surface_current.softening import coefficients_of
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["current_notes"]
-
 HOLM = "R. Holm, Electric Contacts, 4th edition, Springer 1967, doi:10.1007/978-3-662-06688-1"
 PIXELS = "pixels of constant flux against discs, whose error falls like the size of the pixels"
 GROWTH_SHARE = 2.0 / 3.0

@@ -12,8 +12,6 @@ from winkler.numerics.equations.bracketing import between
 from winkler.numerics.types import Array
 from winkler.problems.conduction.heated_contact import ColdContact, HotContact, hot_at_voltage, temperatures
 
-__all__ = ["coefficient_of", "coefficients_of", "voltage_to_reach"]
-
 MOST_DOUBLINGS = 60
 """Of the voltage, in search of one that heats enough: a film may take nearly all of it."""
 

@@ -7,8 +7,6 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["SLIDING_RATIO", "refuse_beyond"]
-
 SLIDING_RATIO = 1.0 - 1e-7
 """Part of the friction beyond which given forces let the bodies slide: tractions that slip are not all parallel."""
 

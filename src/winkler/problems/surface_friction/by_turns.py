@@ -16,8 +16,6 @@ from winkler.numerics.surfaces.traction_grid import TractionGrid
 from winkler.numerics.types import Array
 from winkler.values.errors import NotConverged
 
-__all__ = ["Found", "Rubbed", "by_turns", "press_from"]
-
 MOST_TURNS = 60
 """How often pressures and tractions are found by turns; six are usual."""
 COUPLED_TOLERANCE = 1e-5

@@ -24,8 +24,6 @@ from winkler.numerics.types import Array
 from winkler.problems.rough.compliance import compliance_of
 from winkler.problems.surface_friction.relaxing import loss_factors, rising
 
-__all__ = ["CreptMemory", "MapCreep"]
-
 
 class MapCreep:
     """What displaces a map term by term; lengths in pixels along x, tractions over E* after all time.

@@ -22,8 +22,6 @@ from winkler.numerics.types import Array
 from winkler.problems.surface_friction.tangential import SurfaceTangential, SurfaceTangentialSolution
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["JointLoops", "loop_difference", "loops_of_elements", "loops_of_stiffness"]
-
 NODES = 16
 STEPS_OF_LOOP = 3
 """Up, down and up again: the last two are a closed loop."""

@@ -16,8 +16,6 @@ from winkler.problems.rough.contact_springs import radii_of
 from winkler.problems.rough.surface_states import SurfaceState
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["JointState", "disc_ratio", "joint_state"]
-
 
 class JointState(NamedTuple):
     """Stiffnesses of a contact [N/m]: across the surface, and along x and y where nothing slips."""

@@ -37,8 +37,6 @@ from winkler.problems.surface_friction.state import SurfaceShearState
 from winkler.problems.surface_friction.weakening import loss_of, shear_weakened
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["MapGoal", "MapPlaces", "MapRow"]
-
 Memory = SurfaceMemory | CreptMemory
 
 NEARBY_LOAD = 0.25

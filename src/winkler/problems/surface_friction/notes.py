@@ -18,8 +18,6 @@ from winkler.problems.rough.mapped_medium import medium_notes
 from winkler.profiles.rough.topography import Topography
 from winkler.values.validity import Assumption, Note, Standing, standing_left
 
-__all__ = ["UNCOUPLED_LAYERS", "surface_shear_notes"]
-
 KALKER = "J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9"
 GOODMAN = "L. E. Goodman, J. Appl. Mech. 29 (1962) 515-522, doi:10.1115/1.3640599"
 IDA = "Y. Ida, J. Geophys. Res. 77 (1972) 3796-3805, doi:10.1029/JB077i020p03796"

@@ -37,8 +37,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["ReducedFriction", "ReducedFrictionSolution"]
-
 SHARES = (0.0, 0.25, 0.5, 0.75, 0.9, 0.45, 0.0, -0.5, -0.9)
 """Shear forces at which both are compared, over what friction bears."""
 

@@ -38,8 +38,6 @@ from winkler.problems.normal.unknown_yield import relaxing_yield
 from winkler.values.errors import InvalidInput
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["SurfaceMemory", "course_of", "loss_factors", "relaxing_map_notes", "rising"]
-
 STILL = RelaxationSeries(1.0, 0.0, np.empty(0), np.empty(0))
 """The course of bodies that do not relax."""
 SHORT = 1e-3

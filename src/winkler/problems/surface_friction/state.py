@@ -7,8 +7,6 @@ import numpy as np
 from winkler.numerics.types import Array, PerLoad, Q, shaped
 from winkler.values.value import value, words
 
-__all__ = ["MapSlip", "SurfaceShearState"]
-
 
 @value
 class MapSlip(PerLoad[Q]):

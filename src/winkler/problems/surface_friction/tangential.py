@@ -40,8 +40,6 @@ from winkler.values.limits import MOST_NUMBERS
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["SurfaceTangential", "SurfaceTangentialSolution"]
-
 HELD = Angle(0.0)
 """Bodies that do not turn."""
 

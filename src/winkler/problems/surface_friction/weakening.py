@@ -23,8 +23,6 @@ from winkler.numerics.surfaces.varying_bound import vary
 from winkler.numerics.types import Array
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["bound_of", "loss_of", "shear_weakened"]
-
 MOST_FALL = 0.25
 """Part of the whole fall of the coefficient beyond which a step might pass a jump unseen."""
 MOST_PRODUCTS, ENOUGH = 40, 1e-2

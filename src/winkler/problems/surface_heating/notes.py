@@ -10,8 +10,6 @@ from winkler.problems.surface_heating.state import SurfaceHeatState
 from winkler.problems.surface_rolling.state import SurfaceRollingState
 from winkler.values.validity import Assumption, Note, Standing, standing_left, standing_of
 
-__all__ = ["passing_note", "slip_zone_note", "surface_heating_notes"]
-
 JAEGER = "J. C. Jaeger, Proc. R. Soc. New South Wales 76 (1942) 203-224"
 BLOK = "H. Blok, Wear 6 (1963) 483-494, doi:10.1016/0043-1648(63)90283-7"
 FINE, COARSE = 0.01, 0.2

@@ -13,8 +13,6 @@ from winkler.numerics.types import Array
 from winkler.problems.surface_heating.state import SurfaceHeatState
 from winkler.values.errors import NotConverged
 
-__all__ = ["HeatedPatch", "half_length"]
-
 Pair = tuple[float, float]
 COARSEST = 4
 """Pixels of the contact below which no coarser map is compared."""

@@ -7,8 +7,6 @@ from winkler.problems.surface_friction.tangential import SurfaceTangentialSoluti
 from winkler.problems.surface_rolling.state import SurfaceRollingState
 from winkler.values.value import value, words
 
-__all__ = ["SurfaceHeatState"]
-
 
 @value
 class SurfaceHeatState:

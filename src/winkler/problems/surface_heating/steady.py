@@ -36,8 +36,6 @@ from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["SurfaceFrictionHeating", "SurfaceFrictionHeatingSolution"]
-
 FEWEST_PIXELS = 2
 NAMED = ("x", "y", "mean_temperature", "mismatch", "grid_error")
 APART = ("problem", "contact", "first_peclet", "second_peclet", "last")

@@ -14,8 +14,6 @@ from winkler.values.checks.number_checks import FINITE_QUANTITY
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["ONE_PUSH", "CreepForce", "Given", "Spin", "first_of", "given_of"]
-
 
 @value
 class Spin(PerLoad[Q]):

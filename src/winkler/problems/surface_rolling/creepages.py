@@ -35,8 +35,6 @@ from winkler.problems.surface_rolling.falling import roll_under
 from winkler.problems.surface_rolling.patch import RollingPatch
 from winkler.values.errors import NotConverged
 
-__all__ = ["AHEAD", "CreepSearch", "CreptPatch"]
-
 AHEAD = 0.25
 """How far ahead of the middle of a pixel the slip of a spin is taken, and how far behind what sticks acts [pixels]."""
 MOST_ROLLS = 100

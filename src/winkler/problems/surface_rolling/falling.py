@@ -17,8 +17,6 @@ from winkler.numerics.surfaces.varying_bound import vary
 from winkler.numerics.types import Array
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["roll_under"]
-
 
 def roll_under(
     friction: Coulomb | FallingFriction,

@@ -21,8 +21,6 @@ from winkler.problems.surface_friction.notes import UNCOUPLED_LAYERS
 from winkler.profiles.rough.topography import Topography
 from winkler.values.validity import Assumption, Note, Standing, standing_left
 
-__all__ = ["named", "surface_rolling_notes"]
-
 KALKER = "J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9"
 PRESSED_TOLERANCE = 1e-6
 """To which the pressures are solved."""

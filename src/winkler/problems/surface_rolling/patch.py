@@ -21,8 +21,6 @@ from winkler.values.checks.number_checks import affordable
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.limits import MOST_NUMBERS
 
-__all__ = ["RollingPatch", "refuse_map", "rolling_patch"]
-
 
 class RollingPatch(NamedTuple):
     """A pressed map.

@@ -7,8 +7,6 @@ import numpy as np
 from winkler.numerics.types import Array, Quantity
 from winkler.values.validity import Assumption, Note, standing_of
 
-__all__ = ["greatest_slip", "small_creep_note"]
-
 KALKER = "J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990, doi:10.1007/978-94-015-7889-9"
 SMALL, LARGE = 0.03, 0.1
 """Creepage [-] that is small, and from which on both bodies no longer pass the contact at one speed."""

@@ -40,8 +40,6 @@ from winkler.values.limits import PATH_POINTS
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["SurfaceRollingStart", "SurfaceRollingStartSolution"]
-
 MOST_PIXELS = 1e12
 """More is refused, however much more it is."""
 

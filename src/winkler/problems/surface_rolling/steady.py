@@ -41,8 +41,6 @@ from winkler.values.errors import NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["SurfaceRolling", "SurfaceRollingSolution"]
-
 
 @value
 class SurfaceRolling(PerLoad[Q]):

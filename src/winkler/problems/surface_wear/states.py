@@ -5,8 +5,6 @@ from __future__ import annotations
 from winkler.numerics.types import Array, PerLoad, Q
 from winkler.values.value import value, words
 
-__all__ = ["MapWear", "SurfaceWearState"]
-
 
 @value
 class MapWear(PerLoad[Q]):

@@ -43,8 +43,6 @@ from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing, standing_of
 from winkler.values.value import value, words
 
-__all__ = ["SurfaceWear", "SurfaceWearSolution", "begin", "go"]
-
 
 @value
 class SurfaceWear:

@@ -20,8 +20,6 @@ from winkler.numerics.surfaces.pressed_box import ByDepth, ByLoad
 from winkler.numerics.surfaces.pressed_grid import PressedSurface, press
 from winkler.numerics.types import Array
 
-__all__ = ["WearStep", "WornMap"]
-
 GAMMA = 1.0 - math.sqrt(0.5)
 LEAST_ELASTIC_SHARE = 1e-5
 """Part of the approach that is elastic, below which contacts are not solved to less of it."""

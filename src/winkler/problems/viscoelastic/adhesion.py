@@ -51,8 +51,6 @@ from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["RubberCrack", "ViscoelasticAdhesion", "ViscoelasticAdhesionSolution", "ViscoelasticAdhesionState"]
-
 RESTING_EXCESS = 1e-8
 """An edge that is driven by this part more than slow opening takes does not move."""
 

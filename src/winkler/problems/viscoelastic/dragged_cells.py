@@ -24,8 +24,6 @@ from winkler.numerics.types import Array
 from winkler.values.checks.number_checks import affordable
 from winkler.values.limits import MOST_NUMBERS
 
-__all__ = ["DragCells", "ring_cells", "spring_cells"]
-
 
 class DragCells(NamedTuple):
     """Cells that are dragged.

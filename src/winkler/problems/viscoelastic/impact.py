@@ -36,8 +36,6 @@ from winkler.values.limits import RELAXING_SPRINGS
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["Flight", "ViscoelasticImpact", "ViscoelasticImpactSolution"]
-
 FIRST_STEPS = 125
 """Steps in the time that the body would take, unslowed, to its greatest depth, of the first of ever finer marches."""
 MOST_STEPS = 16_000

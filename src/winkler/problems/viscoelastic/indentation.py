@@ -44,8 +44,6 @@ from winkler.values.limits import RELAXING_SPRINGS
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["ViscoelasticIndentation", "ViscoelasticSolution"]
-
 ROW_MARGIN = 1.001
 """The row reaches a little farther than the contact that is expected under forces."""
 BLOCK = 4096

@@ -38,8 +38,6 @@ from winkler.problems.viscoelastic.layered_march import LayeredMarch, MarchedPoi
 from winkler.problems.viscoelastic.layered_path import MOST_WIDENINGS, WIDENED, contact_reach
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["DraggedLayers", "LayeredDrag", "dragged_layers", "refuse_unknown_waves"]
-
 STEPS, LEAST_STEPS, FIRST_SPAN = 48, 12, 0.1
 """Steps over a change of a load by its greatest value, between two points at least, and the first over the shortest
 time of the creep."""

@@ -17,8 +17,6 @@ from winkler.numerics.springs.coupled_cells import EDGE_SHIFT, BorneCells, Coupl
 from winkler.numerics.types import Array
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["LayeredMarch", "MarchedPoint", "TooNarrow", "beyond", "cells_of"]
-
 CELL_ERROR = 0.1
 """Error of a step [-], times the square of the number of cells, below which cells are what is wrong."""
 BEYOND = 1.3

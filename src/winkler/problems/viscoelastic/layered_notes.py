@@ -16,8 +16,6 @@ from winkler.problems.viscoelastic.layered_path import STEP_CELLS, marched, step
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["COARSER_STEPS", "changed_by", "layered_notes", "resolution_note"]
-
 HALVED = "the same with half as many cells and steps of eight times the error"
 COARSER_STEPS = 8.0
 SMALL_CHANGE, LARGE_CHANGE = 1e-3, 1e-2

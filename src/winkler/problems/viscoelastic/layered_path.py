@@ -20,17 +20,6 @@ from winkler.problems.normal.solve_contact import at_depth, at_force
 from winkler.problems.viscoelastic.layered_march import LayeredMarch, MarchedPoint, TooNarrow, beyond, cells_of
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
-__all__ = [
-    "complex_stiffness",
-    "contact_reach",
-    "is_layered",
-    "marched",
-    "refuse_many",
-    "stepped",
-    "uppermost",
-    "walked",
-]
-
 MOST_CELLS = 2000
 COARSE_CELLS = 32
 """With which it is estimated how far contacts reach."""

@@ -26,8 +26,6 @@ from winkler.numerics.springs.relaxing_springs import (
 from winkler.numerics.types import Array
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 
-__all__ = ["RESTING_FORCE", "SpringMemory", "SpringRow", "elastic_like", "refuse_rings", "relaxation_of"]
-
 NO_DEPTH = "the springs find no depth at which they carry its force; use more of them."
 TOO_SHORT = "the depth under this force needs ever shorter steps; allow a greater tolerance."
 RESTING_FORCE = 1e-11

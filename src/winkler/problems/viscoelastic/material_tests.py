@@ -30,8 +30,6 @@ from winkler.values.checks.number_checks import Positive, PositiveRow
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value
 
-__all__ = ["CreepTest", "RelaxationTest", "StepSolution"]
-
 
 @value
 class CreepTest:

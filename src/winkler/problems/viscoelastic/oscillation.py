@@ -25,8 +25,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["HarmonicIndentation", "HarmonicSolution"]
-
 
 @value
 class HarmonicIndentation(PerLoad[Q]):

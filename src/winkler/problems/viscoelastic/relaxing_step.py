@@ -8,8 +8,6 @@ from winkler.numerics.jit import compiled
 from winkler.numerics.springs.relaxing_springs import advance_springs
 from winkler.numerics.types import Array
 
-__all__ = ["step_relaxing"]
-
 SUDDEN = 1e-20
 """Part of the shortest relaxation time in which nothing relaxes, to the last digit: rates over it would overflow."""
 ENDLESS = 1e12

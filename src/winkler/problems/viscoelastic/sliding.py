@@ -59,8 +59,6 @@ from winkler.values.limits import RELAXING_SPRINGS
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["SlidingLine", "SlidingResistance", "SlidingResistanceSolution"]
-
 
 @value
 class SlidingResistance(PerLoad[Q]):

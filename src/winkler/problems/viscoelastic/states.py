@@ -18,8 +18,6 @@ from winkler.values.checks.outline import refuse_unless_round
 from winkler.values.errors import OutsideValidity
 from winkler.values.value import value, words
 
-__all__ = ["ViscoelasticState", "smooth"]
-
 
 @value
 class ViscoelasticState(RoundPress[float]):

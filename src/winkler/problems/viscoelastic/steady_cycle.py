@@ -36,8 +36,6 @@ from winkler.problems.viscoelastic.tangential_march import DraggedRow, DraggedSp
 from winkler.values.errors import InvalidInput, NotConverged, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["SteadyCycle", "Swing", "check_cycles", "depth_at_rest", "steady_cycle", "swing_notes"]
-
 FINER = 4
 """Steps between two points of a cycle on layers that relax each by a law of its own."""
 POINTS = 64

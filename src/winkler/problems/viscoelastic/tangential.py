@@ -54,20 +54,6 @@ from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = [
-    "DraggedCells",
-    "DraggedState",
-    "Relaxed",
-    "columns",
-    "dragged",
-    "dragged_notes",
-    "dragged_row",
-    "dragged_states",
-    "layered_columns",
-    "pressed_alone",
-    "stick_radius",
-]
-
 
 @value
 class DraggedCells:

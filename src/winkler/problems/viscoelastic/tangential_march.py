@@ -25,8 +25,6 @@ from winkler.problems.viscoelastic.dragged_cells import DragCells
 from winkler.problems.viscoelastic.march import RESTING_FORCE, SpringRow
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["DragGoal", "DraggedRow", "DraggedSprings", "ErrorScales", "shear_relaxation", "twist_relaxation"]
-
 BOUND_ROUNDING = 1e-9
 """Part of the greatest bound that is rounding."""
 FORCE_TOLERANCE = 1e-12

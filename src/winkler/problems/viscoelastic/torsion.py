@@ -28,8 +28,6 @@ from winkler.problems.viscoelastic.tangential import DraggedCells, columns, drag
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["DraggedTwist", "dragged_twist_notes", "dragged_twists"]
-
 
 @value
 class DraggedTwist(DraggedCells, RoundTwist[float]):

@@ -9,8 +9,6 @@ from winkler.problems.normal.validity import contact_notes
 from winkler.problems.viscoelastic.march import elastic_like
 from winkler.values.validity import Note
 
-__all__ = ["relaxing_notes"]
-
 
 def relaxing_notes(bed: Bed, depth: Array, radius: Array, own: tuple[Note, ...]) -> tuple[Note, ...]:
     """Return the notes on bed, contact `(m,)` and yield about those of one kind of problem."""

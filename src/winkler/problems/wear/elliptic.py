@@ -41,8 +41,6 @@ from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing, standing_of
 from winkler.values.value import value, words
 
-__all__ = ["EllipticWear", "EllipticWearSolution"]
-
 NODES = 40
 DIRECTIONS = 180
 """In which the contour of a map is asked how wide the contact is."""

@@ -13,8 +13,6 @@ from winkler.numerics.types import Array
 from winkler.problems.wear.round_grid import RoundGrid
 from winkler.problems.wear.strip_grid import StripGrid
 
-__all__ = ["wear_grid"]
-
 
 @functools.lru_cache(maxsize=8)
 def _cached_grid(bed: Foundation | LineBed, nodes: bytes) -> RoundGrid | StripGrid:

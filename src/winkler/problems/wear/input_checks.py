@@ -10,8 +10,6 @@ from winkler.media.offers import PowerOfDepth, PressedWaves, PushedWaves, offers
 from winkler.values.checks.number_checks import Whole, between
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["Cells", "WearTolerance", "refuse_unless_pressed", "refuse_unless_rubbed"]
-
 
 def refuse_unless_rubbed(owner: str, bed: Foundation) -> None:
     """Refuse a bed whose slip is not known for worn profiles: layers that slide on one another, bodies that relax."""

@@ -37,8 +37,6 @@ from winkler.values.errors import OutsideValidity
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["LimitingProfile", "LimitingSolution"]
-
 NODES = 64
 SAMPLES = 513
 

@@ -43,8 +43,6 @@ from winkler.values.checks.number_checks import FiniteQuantity
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["LineFrettingSolution", "LineFrettingWear"]
-
 SAMPLES = 65
 LONGER = 1.1
 """Length of the grid, over that of what can wear at all."""

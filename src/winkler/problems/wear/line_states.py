@@ -14,8 +14,6 @@ from winkler.numerics.types import Array
 from winkler.problems.wear.states import WornState
 from winkler.values.value import value, words
 
-__all__ = ["LineFrettingState", "LineWearState"]
-
 
 @value
 class LineWearState(WornState):

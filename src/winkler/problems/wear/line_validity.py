@@ -31,8 +31,6 @@ from winkler.problems.wear.validity import (
 from winkler.problems.wear.worn_layers import layer_notes, strip_cells_note
 from winkler.values.validity import Assumption, Note, Standing
 
-__all__ = ["line_fretting_notes", "line_limiting_notes", "line_sliding_notes"]
-
 Bed = LineFoundation | LayeredLineFoundation | PowerLawLineFoundation
 
 WORN_SLIP = Note(

@@ -38,8 +38,6 @@ from winkler.problems.wear.nodes import GRID_GROWTH, graded_nodes
 from winkler.problems.wear.worn_grid import WornContact, WornGrid
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["WearMoment", "WearProblem", "march_wear", "scale_of"]
-
 FIRST_JUMP = 2e-3
 """Part of the depth that the first jump wears off."""
 RATE_MARGIN = 1.2

@@ -9,8 +9,6 @@ from winkler.loading.loads import Depth, Normal
 from winkler.numerics.equations.bracketing import between
 from winkler.numerics.types import Array
 
-__all__ = ["GRID_GROWTH", "first_nodes", "graded_nodes", "halved", "nodes_about", "nodes_between"]
-
 FINER = 3.0
 """How much closer nodes are where the edge of what sticks moves, than even ones."""
 GRID_GROWTH = 1.5

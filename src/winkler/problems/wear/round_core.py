@@ -32,8 +32,6 @@ from winkler.problems.wear.nodes import graded_nodes, halved, nodes_between
 from winkler.problems.wear.round_grid import RoundGrid
 from winkler.problems.wear.worn_states import round_nodes, unworn
 
-__all__ = ["StuckRadii", "expected_loss", "fretting_nodes", "layered_core", "spring_core"]
-
 SAMPLES = 513
 MIDDLE_RADIUS = 1e-9
 """Part of the contact that stands for its middle, where springs of graded media are known in the limit only."""

@@ -30,8 +30,6 @@ from winkler.problems.wear.sheared_grid import ShearedGrid, sheared_grid
 from winkler.problems.wear.worn_grid import WornContact, WornGrid
 from winkler.values.errors import NotConverged
 
-__all__ = ["RoundGrid", "RubbedContact"]
-
 MOST_TRIALS = 100
 FORCE_TOLERANCE = 1e-13
 """Part of a force to which it is met."""

@@ -8,8 +8,6 @@ from winkler.media.offers import PressedWaves, offers
 from winkler.numerics.transforms.grid_transforms import CutCell, GridTransforms, SurfaceTransform
 from winkler.numerics.types import Array
 
-__all__ = ["ShearedGrid", "sheared_grid", "sheared_strips"]
-
 
 class ShearedGrid:
     """Springs that are as stiff along the surface as across it, but for one ratio.

@@ -29,9 +29,6 @@ from winkler.values.checks.number_checks import Advice, FiniteQuantity
 from winkler.values.validity import Assumption, Note
 from winkler.values.value import value, words
 
-__all__ = ["SlidingSolution", "SlidingWear"]
-
-
 ONE_BODY = Advice("the law of the body that stays in contact; where both wear, use FrettingWear")
 
 

@@ -13,8 +13,6 @@ from winkler.problems.wear.march import WearMoment
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["FrettingState", "WearState", "WornState", "goals_of"]
-
 DEFAULT_STATES = 41
 """How many states are returned if only the end is given."""
 QUOTED = 5

@@ -29,8 +29,6 @@ from winkler.numerics.types import Array
 from winkler.problems.wear.sheared_grid import ShearedGrid, sheared_strips
 from winkler.problems.wear.worn_grid import WornContact, WornGrid
 
-__all__ = ["RubbedStrip", "StripGrid"]
-
 
 class RubbedStrip(NamedTuple):
     """A pressed line contact that is sheared to and fro.

@@ -32,8 +32,6 @@ from winkler.problems.wear.grids import wear_grid
 from winkler.problems.wear.nodes import graded_nodes
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["StuckCore", "refuse_unless_rising", "stuck_core"]
-
 CELLS, REACH = 256, 1.02
 """Cells of the even grid on which what sticks on layers before wear is found, and their reach over the half-width."""
 SAMPLES = 65

@@ -19,22 +19,6 @@ from winkler.problems.normal.yield_statement import SurfaceFriction
 from winkler.problems.wear.states import WearState, WornState
 from winkler.values.validity import Assumption, Note, Standing, standing_of
 
-__all__ = [
-    "DEBRIS",
-    "SAME_CORE",
-    "SLIDES_EVERYWHERE",
-    "core_note",
-    "core_notes",
-    "edge_notes",
-    "fretting_notes",
-    "moved_core_note",
-    "resolution_note",
-    "sliding_notes",
-    "slip_grid_note",
-    "slip_note",
-    "worn_yield",
-]
-
 DIMAKI = "A. V. Dimaki, A. I. Dmitriev, Y. S. Chai, V. L. Popov, Int. J. Solids Struct. 51 (2014) 4215-4220"
 POPOV = "V. L. Popov, Sci. Rep. 4 (2014) 3749, doi:10.1038/srep03749"
 JOHNSON = "K. L. Johnson, Contact Mechanics, Cambridge 1985, sect. 7.2, doi:10.1017/CBO9781139171731"

@@ -21,8 +21,6 @@ from winkler.numerics.transforms.grid_transforms import (
 )
 from winkler.numerics.types import Array
 
-__all__ = ["WornContact", "WornGrid"]
-
 
 class WornContact(NamedTuple):
     """A pressed contact on the grid.

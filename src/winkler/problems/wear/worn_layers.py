@@ -21,17 +21,6 @@ from winkler.problems.wear.states import WearState, WornState
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.validity import Assumption, Note, Standing, standing_of
 
-__all__ = [
-    "MOST_WORN_SHARE",
-    "cells_note",
-    "laws_on",
-    "layer_loses",
-    "layer_notes",
-    "refuse_thin",
-    "refuse_wear_of_layers",
-    "strip_cells_note",
-]
-
 MOST_WORN_SHARE = 0.05
 """Part of the thickness of the uppermost layer that may be worn off while the body responds as before."""
 SMALL_CHANGE, LARGE_CHANGE = 0.01, 0.1

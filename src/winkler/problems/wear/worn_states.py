@@ -21,17 +21,6 @@ from winkler.problems.wear.worn_layers import laws_on, layer_loses, refuse_thin,
 from winkler.values.errors import OutsideValidity
 from winkler.values.value import words
 
-__all__ = [
-    "AtGoals",
-    "OfDistance",
-    "PressedMoment",
-    "pressed_moment",
-    "round_nodes",
-    "unworn",
-    "worn_history",
-    "worn_states",
-]
-
 Solution = TypeVar("Solution")
 
 

@@ -33,19 +33,6 @@ from winkler.values.checks.number_checks import Whole
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
 
-__all__ = [
-    "AREA_CONSTANTS",
-    "CONTACT_OUTLINES",
-    "FORCE_CONSTANTS",
-    "Pyramid",
-    "PyramidByEdges",
-    "PyramidShape",
-    "Sides",
-    "cross_section_constant",
-    "edge_angle_of",
-    "face_angle_of",
-]
-
 FORCE_CONSTANTS = {3: 0.882413, 4: 0.737617, 5: 0.693339, 6: 0.673299, 7: 0.662391, 8: 0.655758}
 """C_N [-], F over E* tan(theta) d^2, within 1e-5 of itself: up to 192 (of 3 and 4 faces 400) pixels per depth,
 extrapolated; the cone on the same pixels is within 1e-6 of 2/pi."""

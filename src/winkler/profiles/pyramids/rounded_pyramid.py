@@ -21,8 +21,6 @@ from winkler.values.checks.number_checks import PositiveNotTiny, Whole
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value
 
-__all__ = ["RoundedPyramid"]
-
 SLOPES = {
     3: (
         (1.08, 0.73555),

@@ -14,8 +14,6 @@ from winkler.profiles.rough.topography import Topography
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["CORRELATION_LEVEL", "CorrelationLengths", "correlation_lengths"]
-
 CORRELATION_LEVEL = 0.2
 """Autocorrelation at which lengths are read (ISO 25178-2)."""
 DIRECTIONS = 180

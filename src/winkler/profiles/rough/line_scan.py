@@ -23,8 +23,6 @@ from winkler.values.checks.number_checks import Numbers
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["LineScan", "spectrum_of_lines"]
-
 NODES = 16
 """Of Gauss's rule between two numbers."""
 LEAST_FALL_EXPONENT = 1.0

@@ -9,8 +9,6 @@ from winkler.profiles.rough.tip_limit import SANNER, share_below, tip_limit
 from winkler.profiles.rough.topography import Topography
 from winkler.values.validity import Assumption, Note, Standing, standing_of
 
-__all__ = ["border_leap", "map_notes"]
-
 SMALL_SHARE, LARGE_SHARE = 0.05, 0.5
 """Of the mean square slope below the limit of the tip."""
 LARGEST_LEAP = 3.0

@@ -22,8 +22,6 @@ from winkler.profiles.rough.spectrum import POINTS_PER_DECADE, PowerSpectrum
 from winkler.profiles.rough.topography import Topography
 from winkler.values.errors import InvalidInput
 
-__all__ = ["spectrum_of"]
-
 FEWEST_WAVE_NUMBERS = 4
 """Different wave numbers in a ring, unless the map has fewer."""
 LEAST_RING_WIDTH, LARGEST_RING_WIDTH = 0.7, 1.3

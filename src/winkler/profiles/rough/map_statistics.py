@@ -16,8 +16,6 @@ from winkler.profiles.rough.topography import Topography
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["MapStatistics", "bearing_heights", "correlation_length", "map_statistics"]
-
 
 @value
 class MapStatistics:

@@ -7,8 +7,6 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.values.readable import with_unit
 
-__all__ = ["doubts_of_surface", "without_marks"]
-
 MARKS = np.array([25400.0, 9999.0, 99999.0, 999999.0, 9999999.0, 32767.0, 32768.0, 65535.0, 2147483647.0, 2147483648.0,
                   1e10, 1e20, 1e30, 1e37, 1e38, 3.4028234663852886e38])  # fmt: skip
 """Absolute values that instruments write for a missing height, in the unit of the file."""

@@ -25,8 +25,6 @@ from winkler.values.checks.number_checks import affordable
 from winkler.values.errors import InvalidInput
 from winkler.values.limits import MADE_PIXELS
 
-__all__ = ["random_line", "random_lines", "random_topography"]
-
 LONGEST_WAVES = 8
 """Up to this multiple of the lattice a spectrum may change much within one cell."""
 MAP_CELL_POINTS, LINE_CELL_POINTS, OTHER_CELL_POINTS = 24, 192, 3

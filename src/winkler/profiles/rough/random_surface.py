@@ -14,8 +14,6 @@ from winkler.values.checks.number_checks import Seed
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value
 
-__all__ = ["RandomTopography"]
-
 MOST_PIXELS_PER_SIDE = 2**13
 """Pixels along one side; more would not fit the memory of most machines."""
 

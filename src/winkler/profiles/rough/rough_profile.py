@@ -13,8 +13,6 @@ from winkler.profiles.rough.sampled_profile import SampledProfile
 from winkler.profiles.rough.topography import Topography
 from winkler.values.value import value, words
 
-__all__ = ["RoughProfile"]
-
 
 @value
 class RoughProfile(Topography):

@@ -13,8 +13,6 @@ from winkler.profiles.rough.topography import Topography
 from winkler.values.errors import InvalidInput, OutsideValidity
 from winkler.values.value import value
 
-__all__ = ["SampledProfile"]
-
 MOST_PIXELS_PER_SIDE = 2**13
 """Pixels along one side; more would not fit the memory of most machines."""
 

@@ -21,8 +21,6 @@ from winkler.values.checks.number_checks import POSITIVE, Number, Numbers, Posit
 from winkler.values.errors import InvalidInput
 from winkler.values.value import value, words
 
-__all__ = ["PowerSpectrum", "SelfAffine", "Spectrum", "wave_numbers_for"]
-
 POINTS_PER_DECADE = 20
 """Bins of a measured spectrum, equal on a logarithmic axis."""
 

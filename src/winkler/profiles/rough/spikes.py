@@ -7,8 +7,6 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.values.value import frozen_array, value, words
 
-__all__ = ["Spikes"]
-
 
 @value
 class Spikes:

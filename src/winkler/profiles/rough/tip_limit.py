@@ -16,8 +16,6 @@ import numpy as np
 from winkler.numerics.types import Array
 from winkler.profiles.rough.topography import Topography
 
-__all__ = ["SANNER", "CurvatureOverDistance", "curvature_over_distance", "share_below", "tip_limit"]
-
 SANNER = (
     "A. Sanner, W. G. Noehring, L. A. Thimons, T. D. B. Jacobs, L. Pastewka, Appl. Surf. Sci. Adv. 7 (2022) 100190, "
     "doi:10.1016/j.apsadv.2021.100190"

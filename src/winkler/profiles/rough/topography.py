@@ -16,8 +16,6 @@ from winkler.values.errors import InvalidInput, suggest
 from winkler.values.limits import MOST_HOLES
 from winkler.values.value import value
 
-__all__ = ["Topography", "along_x"]
-
 
 @value
 class Topography:

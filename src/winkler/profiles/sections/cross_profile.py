@@ -21,8 +21,6 @@ from winkler.values.value import value, words
 if TYPE_CHECKING:
     from scipy.interpolate import PPoly
 
-__all__ = ["CrossProfile"]
-
 FEWEST_POINTS = 5
 STEEPEST = math.radians(80.0)
 """Steepest part that is kept [rad]: beyond it the height is no function of y."""

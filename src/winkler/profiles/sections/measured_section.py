@@ -25,8 +25,6 @@ from winkler.values.limits import MEASURED_PLACES
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["AnySection", "FormulaSection", "MeasuredSection"]
-
 FEWEST_POINTS, EVEN = 16, 1e-4
 """Points of a measured section; how uneven their spacing may be to count as even, over the spacing."""
 TRIED = 1025

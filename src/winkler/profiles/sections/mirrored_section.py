@@ -13,8 +13,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.validity import Note
 from winkler.values.value import value, words
 
-__all__ = ["MirroredSection"]
-
 LEAST_TIP = 1e-12
 """Slope beside the middle up to which there is no tip: that of a rounded crest, next to zero, is not quite zero."""
 

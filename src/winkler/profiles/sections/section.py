@@ -16,8 +16,6 @@ from winkler.values.errors import InvalidInput
 from winkler.values.validity import Note
 from winkler.values.value import value, words
 
-__all__ = ["SIDE", "CylinderRow", "PunchRow", "Section", "ascending"]
-
 MOST_BODIES = 200
 SIDE = 1e-9
 """Distance from a kink at which the curvature on either side is taken, over its place."""

@@ -12,8 +12,6 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-__all__ = ["described", "is_a", "is_protocol", "keeps", "lacking", "of_kinds", "offered", "path_of", "stands_for"]
-
 K = TypeVar("K")
 NO_PART = (float, int, bool, complex, str, bytes, tuple, list, dict, set, object, type(None), np.ndarray)
 """What is never a part made of other values, even if it has the members of a protocol."""

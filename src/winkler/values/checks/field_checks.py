@@ -25,8 +25,6 @@ from winkler.values.checks.plain_numbers import REAL, Argument, plain
 from winkler.values.errors import InvalidInput
 from winkler.values.vocabulary import word
 
-__all__ = ["Condition", "checks_of", "numbers_taken"]
-
 KIND_DEMANDS = {
     float: "give a number",
     int: "give a whole number below 10^12",

@@ -15,8 +15,6 @@ import numpy as np
 from winkler.values.checks.physical_size import beyond_physics
 from winkler.values.errors import NotConverged, OutsideValidity, WinklerError
 
-__all__ = ["guarded", "guarded_result", "guarded_stream"]
-
 P = ParamSpec("P")
 R = TypeVar("R")
 

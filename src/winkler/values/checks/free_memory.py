@@ -6,8 +6,6 @@ import math
 import os
 from pathlib import Path
 
-__all__ = ["free_memory", "whole_memory"]
-
 MEMINFO = Path("/proc/meminfo")
 GROUP_LIMITS = (
     (Path("/sys/fs/cgroup/memory.max"), Path("/sys/fs/cgroup/memory.current")),

@@ -19,43 +19,6 @@ from winkler.values.checks.physical_size import LARGEST_NUMBER, SMALLEST_NUMBER,
 from winkler.values.checks.plain_numbers import REAL, Argument, plain
 from winkler.values.errors import InvalidInput
 
-__all__ = [
-    "COUNT_BITS",
-    "FINITE",
-    "FINITE_QUANTITY",
-    "NON_NEGATIVE",
-    "NON_NEGATIVE_QUANTITY",
-    "NOT_TINY",
-    "POISSON",
-    "POSITIVE",
-    "POSITIVE_OR_INFINITE",
-    "POSITIVE_QUANTITY",
-    "Advice",
-    "Check",
-    "ComplexNumbers",
-    "Count",
-    "Finite",
-    "FiniteQuantity",
-    "FiniteRow",
-    "Fraction",
-    "NonNegative",
-    "NonNegativeQuantity",
-    "Number",
-    "Numbers",
-    "PoissonRatio",
-    "Positive",
-    "PositiveNotTiny",
-    "PositiveOfAnySize",
-    "PositiveOrInfinite",
-    "PositiveQuantity",
-    "PositiveRow",
-    "Seed",
-    "Whole",
-    "affordable",
-    "between",
-    "checked",
-]
-
 COUNT_BITS = 40
 """Bits of a whole number: nothing that is counted is counted further."""
 

@@ -9,8 +9,6 @@ from typing import Any
 from winkler.values.assumption import Assumption
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["refuse_outline", "refuse_relaxing", "refuse_unless_round"]
-
 
 def refuse_unless_round(holder: Any, owner: str, needed: str) -> None:
     """Refuse a question about the outline of a contact that is not known to be a disc.

@@ -12,8 +12,6 @@ import numpy as np
 
 from winkler.values.errors import InvalidInput
 
-__all__ = ["LARGEST_NUMBER", "SMALLEST_NUMBER", "as_text", "beyond_physics", "refuse_size"]
-
 SMALLEST_NUMBER, LARGEST_NUMBER = 1e-60, 1e60
 """Physical numbers in SI units lie between these in size; squares and cubes of them are still numbers."""
 LONGEST_BITS = 200

@@ -11,8 +11,6 @@ from winkler.values.checks.physical_size import LARGEST_NUMBER, as_text, refuse_
 from winkler.values.checks.plain_numbers import REAL, Argument, plain
 from winkler.values.errors import InvalidInput
 
-__all__ = ["common_places", "finite_places"]
-
 Array: TypeAlias = NDArray[Any]
 
 

@@ -19,8 +19,6 @@ from numpy.typing import NDArray
 from winkler.values.checks.physical_size import as_text
 from winkler.values.errors import InvalidInput
 
-__all__ = ["REAL", "Argument", "plain"]
-
 REAL = frozenset((float, int))
 """The types of a plain number."""
 NUMPY_REAL = frozenset((np.float64, np.float32, np.int64, np.int32))

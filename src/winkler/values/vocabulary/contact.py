@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from winkler.values.vocabulary.entry import Word
 
-__all__ = ["CONTACT"]
-
 CONTACT: dict[str, Word] = {
     # the contact
     "depth": Word("d", "m", "indentation depth: how far the bodies have approached since first touch"),

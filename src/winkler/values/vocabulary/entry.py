@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-__all__ = ["Word"]
-
 
 class Word(NamedTuple):
     """One entry of the glossary: symbol (LaTeX, without dollars), SI unit (None if no quantity), one line."""

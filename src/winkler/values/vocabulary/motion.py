@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from winkler.values.vocabulary.entry import Word
 
-__all__ = ["MOTION"]
-
 MOTION: dict[str, Word] = {
     # adhesion
     "law": Word("", None, "how the surfaces of the bodies act on each other"),

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from winkler.values.vocabulary.entry import Word
 
-__all__ = ["RUBBING"]
-
 RUBBING: dict[str, Word] = {
     # rolling
     "friction": Word("", None, "how the surfaces rub"),

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from winkler.values.vocabulary.entry import Word
 
-__all__ = ["SURFACES"]
-
 SURFACES: dict[str, Word] = {
     # measured curves
     "time": Word("t", "s", "time"),

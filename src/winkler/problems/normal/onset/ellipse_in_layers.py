@@ -22,8 +22,6 @@ from winkler.problems.pressed_shape.surface_load import SurfaceLoad
 from winkler.profiles.ellipse import CurvedBodies
 from winkler.values.errors import OutsideValidity
 
-__all__ = ["EllipseInLayers", "coarse_layers", "refuse_slender", "sum_error"]
-
 PIXELS_PER_LAYER = 2.0
 """Pixels along the longer semi-axis, in one thickness of the uppermost layer;"""
 FEWEST_PIXELS, MOST_PIXELS, PIXEL_STEP = 64, 128, 32

@@ -11,8 +11,6 @@ from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.pressed_shape.force_at_yield import force_at_yield
 from winkler.profiles.ellipse import CurvedBodies
 
-__all__ = ["LayeredOnsets", "onsets_in_layers"]
-
 FIRST_PRESSURE = 1.6
 """Greatest pressure over the strength from which the force is sought: that of a ball."""
 OVERTAKEN = 2e-3

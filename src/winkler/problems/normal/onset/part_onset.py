@@ -9,8 +9,6 @@ from winkler.values.readable import with_unit
 from winkler.values.validity import Assumption, Note, Standing
 from winkler.values.value import value, words
 
-__all__ = ["NAME", "PART", "EllipticPartOnset", "PartOnset", "onset_note"]
-
 MISES = "R. von Mises, Nachr. Ges. Wiss. Goettingen (1913) 582"
 PART = ("", "", "number of the part that has a strength, from the surface of the first body down")
 NAME = ("", None, "what the part is called")

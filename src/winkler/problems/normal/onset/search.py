@@ -18,8 +18,6 @@ from winkler.problems.normal.strong_parts import StrongPart, strong_parts
 from winkler.problems.normal.yield_statement import RADIUS_SHARES
 from winkler.values.errors import NotConverged, OutsideValidity
 
-__all__ = ["greatest_in", "onset_in"]
-
 MOST_STEPS, OCTAVES = 40, 500
 ROUGH_MISS = 0.02
 """Logarithm of stress over strength below which stresses in layers are sought finely."""
