@@ -25,7 +25,7 @@ def maps(count: int = COUNT) -> dict[str, tuple[wk.Topography, float]]:
         "ball": (-0.5 * (x**2 + y**2), 0.05),
         "ellipse of 1 : 3": (-0.16 * x**2 - 0.84 * y**2, 0.024),
         "nine balls in a square": (-0.5 * spots, 0.006),
-        "rough stamp": (rough, 0.08),
+        "rough punch": (rough, 0.08),
     }
     return {name: (wk.Topography(map_, [1.0, 1.0]), depth) for name, (map_, depth) in heights.items()}
 

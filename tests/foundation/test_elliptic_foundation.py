@@ -217,7 +217,7 @@ def test_a_path_in_the_plane_is_refused():
 
 def test_media_that_know_no_ellipse_are_refused():
     coated = wk.CoatedHalfSpace([Layer(STEEL, 1e-6)], on=STEEL)
-    with pytest.raises(wk.InvalidInput, match="homogeneous half-spaces alone"):
+    with pytest.raises(wk.InvalidInput, match="homogeneous half-spaces only"):
         wk.EllipticFoundation(wk.CurvedBodies(1e-2, 1e-3), coated)
     with pytest.raises(wk.InvalidInput, match="bodies is a float"):
         wk.EllipticFoundation(1.0, PAIR)

@@ -166,8 +166,9 @@ def _watch(machine: Any, counted: bool) -> None:
 
     Nor is one compiled again for a constant that it is called with: constants reach what stands in full anyway.
     """
-    from numba.core.types import unliteral
+    from numba.core import types as numba_types
 
+    plain: Callable[[Any], Any] = numba_types.unliteral
     compile_plainly, called_plainly = machine.compile, machine.get_call_template
 
     def compile_watched(signature: Any) -> Any:
@@ -178,7 +179,7 @@ def _watch(machine: Any, counted: bool) -> None:
             COMPILED_NOW.pop()
 
     def called(args: Any, kws: Any) -> Any:
-        template = called_plainly(tuple(map(unliteral, args)), {name: unliteral(kind) for name, kind in kws.items()})
+        template = called_plainly(tuple(map(plain, args)), {name: plain(kind) for name, kind in kws.items()})
         if not counted and COMPILED_NOW and COMPILED_NOW[-1]:
             for found in machine.overloads.values():
                 kind = found.signature.return_type

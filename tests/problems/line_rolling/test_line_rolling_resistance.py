@@ -177,7 +177,7 @@ def test_weak_modes_do_not_spoil_the_strip():
         (
             wk.LineFoundation(wk.Paraboloid(0.1), wk.ViscoelasticHalfSpace(wk.Maxwell(1e6, 1.0))),
             wk.HalfWidth(1e-3),
-            "flows",
+            "creeps without limit",
         ),
         (
             wk.LineFoundation(wk.Paraboloid(0.1), wk.ViscoelasticHalfSpace(wk.KelvinVoigt(1e6, 1e3))),

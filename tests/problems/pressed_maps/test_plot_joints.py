@@ -32,7 +32,7 @@ def test_a_joint_shows_what_spots_and_gap_carry():
 
 def test_flow_factors_over_the_distance():
     (axes,) = axes_of(draw(wk.flow_factors(ROUGH, [3e-6, 1e-6, 2e-6]))).values()
-    assert axes.get_xlabel() == "distance of the mean planes $h$ [µm]"
+    assert axes.get_xlabel() == "separation $h$ [µm]"
     np.testing.assert_allclose(axes.lines[0].get_xdata(), [1.0, 2.0, 3.0])
 
 
