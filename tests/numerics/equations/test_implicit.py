@@ -66,5 +66,5 @@ def test_a_stage_that_is_not_met_is_refused():
         def slopes(self, state):
             return np.array([True, True]), np.array([[1.0, 0.0], [0.0, 1e3]])
 
-    with pytest.raises(NotConverged, match="take a shorter one"):
+    with pytest.raises(NotConverged, match="use a shorter one"):
         implicit_step(Wild(1e3), np.array([1.0, 0.0]), np.array([1.0, 1e3]), 1.0)
