@@ -59,7 +59,7 @@ def test_to_start_from_a_condition_is_not_to_pass_it():
 
 @pytest.mark.slow
 def test_what_never_ends_is_given_up():
-    with pytest.raises(NotConverged, match="hardly moves on"):
+    with pytest.raises(NotConverged, match="hardly advances"):
         integrate_to_stop(
             lambda time, state: [math.sin(1e12 * time)],
             (0.0, 1.0),
