@@ -154,6 +154,7 @@ def test_a_kind_is_found_by_its_name_or_by_words(fresh):
     page.wait_for_function(FIRST_SHOWN, arg="adhesive cycle")
     page.keyboard.press("Enter")
     app_page.busy()
+    app_page.settled()  # what comes while the list is open has a test of its own
     assert page.locator('[data-choice="problem"]').inner_text().endswith("adhesive cycle")
     page.locator('[data-choice="problem"]').click()
     page.wait_for_function("[...document.querySelectorAll('[role=option]')].filter(o => o.offsetHeight).length > 40")
